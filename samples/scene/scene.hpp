@@ -1,0 +1,72 @@
+// A scene file read, checked and ready to draw.
+//
+// The tables and keys are listed in the page "Scenes" of the README; samples/scene/choices.hpp holds the
+// words that [pipeline] accepts. Paths in a scene are relative to the scene file.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "raster/scene.hpp"
+#include "samples/io/place.hpp"
+
+namespace relevo::scene {
+
+// The camera in the words of the scene file, for captions. World units and degrees.
+struct CameraDescription {
+    enum class Kind { Perspective, Orthographic, Frustum } kind = Kind::Perspective;
+    glm::dvec3 eye{0, 0, 3}, target{0, 0, 0}, up{0, 1, 0};
+    double fov_y = 40;                                  // perspective: vertical angle of view
+    double height = 2;                                  // orthographic: world units seen from bottom to top
+    double left = -1, right = 1, bottom = -1, top = 1;  // frustum: the window on the near plane
+    double near = 0.1, far = 0;                         // distances in front of the eye; far may be infinite
+    bool framed = false;  // the scene named no eye: chosen so that all objects are seen
+};
+
+// What is worth saying about a model besides its numbers. models[i] is described by descriptions[i].
+struct ModelDescription {
+    std::string name;         // "teapot", or "bunny" of bunny.obj, or the object's name in the file
+    std::string texture;      // its file name; empty without a texture
+    bool has_uv = true;       // whether the mesh brought texture coordinates
+    bool had_normals = true;  // false: they were averaged from the faces
+};
+
+// Owns the meshes and textures that `scene.models` points to; may be moved, not copied.
+struct LoadedScene {
+    std::string name;  // of the file, without folder and ending
+    std::string path;
+    raster::Scene scene;
+    raster::Settings settings;
+    int width = 640, height = 480;  // 1..max_picture_size
+    CameraDescription camera;
+    std::vector<ModelDescription> descriptions;  // one a model
+    std::vector<std::string> warnings;           // whole lines, with their place: worth showing, not wrong
+    std::vector<std::unique_ptr<const pipeline::Mesh>> meshes;
+    std::vector<std::unique_ptr<const raster::Texture>> textures;
+};
+
+// What the command line changes: `set` holds "key=value" for keys of [pipeline], `size` replaces width and
+// height.
+struct SceneOptions {
+    std::vector<std::string> set;
+    std::optional<std::pair<int, int>> size;
+};
+
+// Reads a scene and all that it names. Errors point at the line and column of what is wrong, or at the
+// option.
+io::FileResult<LoadedScene> load_scene(const std::string& path, const SceneOptions& options = {});
+
+// The same from text; `path` names it in messages and gives the folder that paths in the scene start from.
+io::FileResult<LoadedScene> parse_scene(std::string_view text, const std::string& path,
+                                        const SceneOptions& options = {});
+
+// "640x480" as the argument of --size: two whole numbers from 1 to max_picture_size.
+io::FileResult<std::pair<int, int>> parse_size(std::string_view text);
+
+// Colour and depth pictures of the scene's size.
+raster::Frame make_frame(const LoadedScene& scene);
+
+}  // namespace relevo::scene
