@@ -1,0 +1,15 @@
+// PNG files out of pictures.
+#pragma once
+#include <string>
+
+#include "raster/image.hpp"
+#include "raster/output.hpp"
+#include "samples/io/place.hpp"
+
+namespace relevo::io {
+
+// Writes an 8-bit PNG, complete or not at all: RGB when every pixel is opaque, else RGBA with straight alpha.
+// The same picture gives the same bytes. Errors: an empty picture, and those of write_file.
+Failure write_png(const std::string& path, const raster::Image<raster::Rgba8>& image);
+
+}  // namespace relevo::io
