@@ -1,0 +1,61 @@
+// Sine, cosine, tangent, powers and logarithms of our own.
+//
+// The math library's versions differ from one processor and one release to the next, and a last bit can move
+// a pixel. These use only + - * / and exact scalings, so they give the same bits everywhere. Their errors
+// stand in the accuracy table. Angles are in degrees, because then a quarter turn is exact.
+#pragma once
+#include <cmath>
+
+#include "pipeline/scalar.hpp"
+
+namespace relevo::pipeline {
+
+inline constexpr double pi = 0x1.921fb54442d18p+1;
+
+struct Degrees {
+    double value;
+};
+
+// sin and cos of any finite angle; exact at multiples of 90 degrees, else within 1 ulp of 1. Not finite: not
+// a number.
+double sin(Degrees angle);
+double cos(Degrees angle);
+// sin / cos; infinite at odd multiples of 90 degrees.
+double tan(Degrees angle);
+
+// log2(x) for x > 0 (relative error < 2^-50); -infinity for 0, not a number below.
+double log2(double x);
+// 2^x (relative error < 2^-50); 0 below -1100, infinity above 1100.
+double exp2(double x);
+
+// x^n for the light equation: x is a cosine, n >= 0. x <= 0 gives 0, also for n = 0: no light from behind.
+// An integer n in 1..128: square and multiply from the highest bit of n down, in this order (relative error <
+// 2 n ulp). Any other n: exp2(n log2(x)) in double, rounded once; x > 1, a rounding accident, then counts
+// as 1.
+
+// The same with the decision about n taken once, outside the loop over pixels.
+struct Exponent {
+    Scalar value;
+    int integer;  // 1..128, or 0 for any other exponent
+};
+inline Exponent exponent(Scalar n) {
+    const bool small_integer = n >= 1 && n <= 128 && static_cast<Scalar>(static_cast<int>(n)) == n;
+    return {n, small_integer ? static_cast<int>(n) : 0};
+}
+Scalar general_power(Scalar x, Scalar n);
+
+inline Scalar power(Scalar x, Exponent n) {
+    if (!(x > 0)) return 0;
+    if (n.integer == 0) return general_power(x, n.value);
+    int bit = 1;
+    while (bit * 2 <= n.integer) bit *= 2;
+    Scalar result = x;
+    for (bit /= 2; bit > 0; bit /= 2) {
+        result = result * result;
+        if (n.integer & bit) result = result * x;
+    }
+    return result;
+}
+inline Scalar power(Scalar x, Scalar n) { return power(x, exponent(n)); }
+
+}  // namespace relevo::pipeline

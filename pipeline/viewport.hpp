@@ -1,0 +1,49 @@
+// Division by w, viewport and snapping: clip space to subpixels of the window, in one step of double
+// arithmetic.
+//
+//   X = rint((x/w) 128 W + 128 W)     Y = rint(128 H - (y/w) 128 H)     in 1/256 pixel, ties to even
+//   z = z_clip / w                    rw = 1 / w                        rounded once each
+// Source: Direct3D 11.3 functional specification 3.4.1 and 15.16 (n.8 snapping); textbook 3.2 (window and
+// viewport). Error of X and Y: 1/512 pixel. With |x|, |y| <= 7 w and W, H <= 8192: |X|, |Y| <= 2^23.
+#pragma once
+#include <cmath>
+#include <cstdint>
+
+#include "pipeline/space.hpp"
+
+namespace relevo::pipeline {
+
+struct Viewport {
+    int width, height;  // pixels, 1..max_picture_size
+};
+
+// A corner in the window: what the rasterizer works with.
+struct SnappedCorner {
+    std::int32_t x, y;  // 1/256 pixel, y down
+    Scalar z;           // depth
+    Scalar rw;          // 1 / w
+};
+
+struct Divided {
+    Point<Ndc> ndc;
+    Scalar rw;
+};
+
+// For pictures and lessons; the machine goes from clip space to subpixels directly (to_window). w must not be
+// 0.
+inline Divided perspective_divide(const HPoint<Clip>& p) {
+    const double i = 1.0 / static_cast<double>(p.v.w);
+    return {{{static_cast<Scalar>(p.v.x * i), static_cast<Scalar>(p.v.y * i), p.v.z / p.v.w}}, 1 / p.v.w};
+}
+
+// `p` passed every clip test (no clip code): w > 0, |x|, |y| <= 7 w.
+inline SnappedCorner to_window(const HPoint<Clip>& p, const Viewport& viewport) {
+    const double i = 1.0 / static_cast<double>(p.v.w);
+    const double half_width = 128.0 * viewport.width, half_height = 128.0 * viewport.height;
+    const double x = (static_cast<double>(p.v.x) * i) * half_width + half_width;
+    const double y = half_height - (static_cast<double>(p.v.y) * i) * half_height;
+    return {static_cast<std::int32_t>(std::lrint(x)), static_cast<std::int32_t>(std::lrint(y)), p.v.z / p.v.w,
+            1 / p.v.w};
+}
+
+}  // namespace relevo::pipeline

@@ -1,0 +1,7 @@
+#include "raster/draw.hpp"
+
+namespace relevo::raster {
+
+template void draw<const NoProbe>(const Scene&, const Settings&, Frame&, const NoProbe&&);
+
+}  // namespace relevo::raster
