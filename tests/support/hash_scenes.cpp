@@ -1,0 +1,52 @@
+// Draws scenes and writes what must be the same bytes wherever it runs: colour, then depth, one file a
+// picture.
+//   hash_scenes FOLDER WIDTHxHEIGHT SCENE...       FOLDER/NAME-SHADING for each scene in every shading
+// scripts/determinism builds it in many ways and compares the sums of what it wrote.
+#include <cstdio>
+#include <string_view>
+#include <utility>
+
+#include "raster/draw.hpp"
+#include "samples/io/file.hpp"
+#include "samples/scene/scene.hpp"
+
+namespace {
+
+using namespace relevo;
+
+constexpr std::pair<const char*, raster::Shading> shadings[] = {
+    {"unlit", raster::Shading::Unlit},
+    {"flat", raster::Shading::Flat},
+    {"gouraud", raster::Shading::Gouraud},
+    {"phong", raster::Shading::Phong},
+};
+
+template <class Pixel>
+std::string_view bytes(const raster::Image<Pixel>& image) {
+    return {reinterpret_cast<const char*>(image.pixels().data()), image.pixels().size() * sizeof(Pixel)};
+}
+
+io::Failure write_pictures(const std::string& path, std::pair<int, int> size, const std::string& folder) {
+    auto loaded = scene::load_scene(path, {{}, size});
+    if (!loaded) return loaded.error();
+    raster::Frame frame = scene::make_frame(*loaded);
+    for (const auto& [name, shading] : shadings) {
+        loaded->settings.shading = shading;
+        raster::draw(loaded->scene, loaded->settings, frame);
+        const std::string out = folder + "/" + loaded->name + "-" + name;
+        const std::string both = std::string(bytes(frame.color)).append(bytes(frame.depth));
+        if (auto failure = io::write_file(out, both)) return failure;
+    }
+    return {};
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    if (count < 4) return std::fprintf(stderr, "hash_scenes FOLDER WIDTHxHEIGHT SCENE...\n"), 2;
+    const auto size = scene::parse_size(words[2]);
+    io::Failure failure;
+    if (!size) failure = size.error();
+    for (int i = 3; i < count && !failure; ++i) failure = write_pictures(words[i], *size, words[1]);
+    if (failure) return std::fprintf(stderr, "%s\n", failure->text().c_str()), 2;
+}
