@@ -1,0 +1,169 @@
+// relevo list: what there is, a sentence each.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "samples/io/suggest.hpp"
+#include "samples/relevo/commands.hpp"
+#include "samples/scene/accuracy.hpp"
+#include "samples/scene/choices.hpp"
+#include "samples/scene/generators.hpp"
+
+namespace relevo::command {
+namespace {
+
+struct Item {
+    std::string_view name, sentence;
+};
+
+constexpr Item stages[] = {
+    {"object", "each mesh in its own coordinates"},
+    {"world", "all meshes where their transforms put them, with camera and lights"},
+    {"eye", "the world as the camera has it: eye in the origin, looking down -z"},
+    {"clip", "homogeneous coordinates: what crosses which plane of the view volume"},
+    {"clipped", "the triangles cut at the planes of the view volume"},
+    {"ndc", "after the division by w: the view volume is a box"},
+    {"window", "the wire frame in pixels, corners snapped to 1/256 pixel"},
+    {"culled", "which faces look away and are dropped"},
+    {"coverage", "which triangle covers which pixel centre"},
+    {"depth", "the depth buffer: what is nearest"},
+    {"attributes", "barycentric weights, normals, texture coordinates and 1/w, interpolated"},
+    {"flat", "one light equation a face"},
+    {"gouraud", "one light equation a corner, colours interpolated"},
+    {"phong", "one light equation a pixel, normals interpolated"},
+    {"texture", "the texture alone, looked up with the interpolated coordinates"},
+    {"final", "the picture that render writes"},
+};
+
+constexpr Item algorithms[] = {
+    {"transforms",
+     "translate, scale, rotate, look-at in double, rounded once; normals by the cofactor matrix"},
+    {"projections", "perspective, frustum, orthographic; depth 0..1, reversed or forward"},
+    {"clipping", "homogeneous, Sutherland and Hodgman 1974, in double; shared edges get bit-equal corners"},
+    {"snapping", "window coordinates to 1/256 pixel, ties to even"},
+    {"culling", "by the sign of the snapped area"},
+    {"coverage", "exact integer edge functions (Pineda 1988) with the top-left rule"},
+    {"depth test", "nearer wins, at equal depth the first triangle wins"},
+    {"interpolation", "barycentric weights from the exact edge values, corrected once for the perspective"},
+    {"shading", "unlit, flat, Gouraud 1971, Phong 1975: one light equation in four places"},
+    {"texture", "nearest and bilinear with 8-bit weights, summed exactly in integers"},
+    {"colour", "linear light; sRGB codes by a table of exact thresholds"},
+};
+
+constexpr Item events[] = {
+    {"VertexTransformed",
+     "a vertex went through the transforms: object, eye and clip coordinates, clip codes"},
+    {"TriangleRejected", "a triangle or piece ended: NonFinite, Outside, ZeroArea, Culled or NoPixel"},
+    {"TriangleClipped", "a triangle crossed near, far or the guard band; the polygon that is left"},
+    {"TriangleSnapped", "a triangle or piece reached the window with an area: corners, area, facing"},
+    {"FragmentCovered", "a pixel centre belongs to a triangle"},
+    {"DepthTested", "its depth was compared with the stored one"},
+    {"FragmentShaded", "it was lit and written: weights, interpolated values, colour"},
+};
+
+constexpr Item formats[] = {
+    {".toml", "scenes, read"},
+    {".obj", "Wavefront meshes with materials (.mtl), read"},
+    {".solid", "the textbook's two formats for solids (sections 2.4 and 10), read and written"},
+    {".png", "pictures, written; read as textures"},
+    {"images", "textures of every format that OpenImageIO reads: JPEG, TIFF, EXR, ..."},
+    {".exr", "the depth buffer as 32-bit float, written by --raw-depth"},
+    {".json", "counts and captions of steps, milliseconds, --stats=json, written"},
+};
+
+void print(const Item& item, int indent = 0) {
+    fmt::print("{:{}}{:<{}}  {}\n", "", indent, item.name, 18 - indent, item.sentence);
+}
+
+void print_all(std::span<const Item> items) {
+    for (const Item& item : items) print(item);
+}
+
+template <class Meaning, std::size_t count>
+void print_knob(std::string_view key, const scene::Choice<Meaning> (&choices)[count], Meaning standard) {
+    fmt::print("{}\n", key);
+    for (const auto& choice : choices) {
+        print({choice.name, choice.sentence}, 2);
+        if (choice.meaning == standard) fmt::print("{:20}(the default)\n", "");
+    }
+}
+
+void list_stages() { print_all(stages); }
+void list_algorithms() { print_all(algorithms); }
+void list_events() { print_all(events); }
+
+void list_formats() {
+    print_all(formats);
+    fmt::print("\nShapes made by Relevo itself (mesh = \"name\"):\n");
+    for (const scene::Generator& generator : scene::generators())
+        print({generator.name, generator.sentence}, 2);
+}
+
+void list_knobs() {
+    constexpr raster::Settings standard;
+    fmt::print("Keys of [pipeline] in a scene, and of --set key=value:\n\n");
+    print_knob("shading", scene::shadings, standard.shading);
+    print_knob("texture_filter", scene::texture_filters, standard.texture_filter);
+    print_knob("depth", scene::depth_formats, standard.depth);
+    print_knob("cull", scene::culls, standard.cull);
+}
+
+void list_accuracy() {
+    fmt::print("{:<28}{:<36}{:<32}{:>12} {:<18}{:>12}\n", "approximation", "reference", "domain",
+               "error up to", "", "instructions");
+    for (const scene::AccuracyRow& row : scene::accuracy_table())
+        fmt::print("{:<28}{:<36}{:<32}{:>12.4g} {:<18}{:>12}\n", row.name, row.reference, row.domain,
+                   row.allowed_error, row.unit, row.instructions);
+}
+
+struct List {
+    std::string_view name;
+    void (*print)();
+};
+constexpr List lists[] = {{"stages", list_stages},
+                          {"knobs", list_knobs},
+                          {"algorithms", list_algorithms},
+                          {"events", list_events},
+                          {"formats", list_formats}};
+
+int list_one(const std::string& what) {
+    std::vector<std::string_view> names;
+    for (const List& list : lists) {
+        if (list.name == what) return list.print(), done;
+        names.push_back(list.name);
+    }
+    return refuse(
+        io::FileError{{"relevo list " + what, 0, 0},
+                      fmt::format("accepted: {}{}", fmt::join(names, ", "), io::suggestion(what, names))});
+}
+
+int list(const std::string& what, bool accuracy) {
+    if (accuracy && what != "knobs")
+        return refuse(io::FileError{{"relevo list " + what, 0, 0}, "--accuracy goes with knobs"});
+    if (accuracy) return list_accuracy(), done;
+    if (!what.empty()) return list_one(what);
+    for (const List& each : lists) {
+        fmt::print("{}{}\n", &each == lists ? "" : "\n", each.name);
+        each.print();
+    }
+    return done;
+}
+
+}  // namespace
+
+void add_list(CLI::App& app, int& status) {
+    struct Options {
+        std::string what;
+        bool accuracy = false;
+    };
+    const auto options = std::make_shared<Options>();
+    CLI::App* const command = app.add_subcommand("list", "Tell what there is, a sentence each.");
+    command->add_option("what", options->what, "stages, knobs, algorithms, events or formats; default: all.")
+        ->type_name("WHAT");
+    command->add_flag("--accuracy", options->accuracy,
+                      "With knobs: the table of approximations and their errors.");
+    command->footer("Example: relevo list knobs --accuracy");
+    command->callback([options, &status] { status = list(options->what, options->accuracy); });
+}
+
+}  // namespace relevo::command

@@ -1,0 +1,104 @@
+// relevo render: a scene in, a picture out.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+
+#include "raster/draw.hpp"
+#include "samples/io/picture.hpp"
+#include "samples/io/png.hpp"
+#include "samples/io/suggest.hpp"
+#include "samples/relevo/commands.hpp"
+#include "samples/scene/scene.hpp"
+#include "samples/scene/statistics.hpp"
+
+namespace relevo::command {
+namespace {
+
+struct RenderOptions {
+    std::string scene, output, size, raw_depth, statistics;
+    std::vector<std::string> set;
+};
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+io::Failure write_pictures(const RenderOptions& options, const std::string& output,
+                           const raster::Frame& frame) {
+    if (io::Failure failure = io::write_png(output, frame.color)) return failure;
+    if (!options.raw_depth.empty()) return io::write_exr(options.raw_depth, frame.depth);
+    return std::nullopt;
+}
+
+void print_statistics(const RenderOptions& options, const scene::Statistics& statistics, double load,
+                      double draw) {
+    if (options.statistics == "json") {
+        fmt::print("{{\"counts\": {}, \"milliseconds\": {{\"load\": {:.3f}, \"draw\": {:.3f}}}}}\n",
+                   to_json(statistics), load, draw);
+        return;
+    }
+    for (const scene::NamedCount& c : named_counts(statistics)) fmt::print("{:>12}  {}\n", c.count, c.words);
+    fmt::print("{:>12.3f}  milliseconds to load the scene\n{:>12.3f}  milliseconds to draw it\n", load, draw);
+}
+
+int render(const RenderOptions& options) {
+    if (!options.statistics.empty() && options.statistics != "text" && options.statistics != "json") {
+        constexpr std::string_view accepted[] = {"json", "text"};
+        return refuse(io::FileError{{"--stats=" + options.statistics, 0, 0},
+                                    "accepted: json, text" + io::suggestion(options.statistics, accepted)});
+    }
+    scene::SceneOptions scene_options{options.set, std::nullopt};
+    if (!options.size.empty()) {
+        const auto size = scene::parse_size(options.size);
+        if (!size) return refuse(size.error());
+        scene_options.size = *size;
+    }
+    const Clock::time_point start = Clock::now();
+    const auto loaded = scene::load_scene(options.scene, scene_options);
+    if (!loaded) return refuse(loaded.error());
+    for (const std::string& warning : loaded->warnings) fmt::print(stderr, "warning: {}\n", warning);
+    const double load = milliseconds_since(start);
+
+    raster::Frame frame = scene::make_frame(*loaded);
+    const Clock::time_point draw_start = Clock::now();
+    raster::draw(loaded->scene, loaded->settings, frame);
+    const double draw = milliseconds_since(draw_start);
+
+    const std::string output = options.output.empty() ? loaded->name + ".png" : options.output;
+    if (const io::Failure failure = write_pictures(options, output, frame)) return refuse(*failure);
+    if (!options.statistics.empty()) {  // drawn once more: the probe costs time, but moves no pixel
+        scene::Statistics statistics = scene::statistics_of(loaded->scene);
+        raster::draw(loaded->scene, loaded->settings, frame, statistics);
+        print_statistics(options, statistics, load, draw);
+    }
+    return done;
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, int& status) {
+    const auto options = std::make_shared<RenderOptions>();
+    CLI::App* const command = app.add_subcommand("render", "Draw a scene into a PNG file.");
+    command->add_option("scene", options->scene, "The scene file (TOML).")->required()->type_name("SCENE");
+    command
+        ->add_option("-o,--output", options->output, "The picture; default: the scene's name + .png, here.")
+        ->type_name("FILE.png");
+    command->add_option("--size", options->size, "Picture size in place of the scene's.")
+        ->type_name("WIDTHxHEIGHT");
+    command
+        ->add_option("--set", options->set, "A key of [pipeline] in place of the scene's; may be repeated.")
+        ->allow_extra_args(false)
+        ->type_name("KEY=VALUE");
+    command->add_option("--raw-depth", options->raw_depth, "Also write the depth buffer, 32-bit float.")
+        ->type_name("FILE.exr");
+    command->add_flag("--stats{text}", options->statistics,
+                      "Print what happened, and milliseconds; --stats=json as JSON.");
+    command->footer(
+        "Example: relevo render teapot.toml -o teapot.png --size 800x600 --set shading=flat --stats");
+    command->callback([options, &status] { status = render(*options); });
+}
+
+}  // namespace relevo::command

@@ -1,0 +1,50 @@
+// The [[object]] tables: meshes, where they stand, what they are made of.
+#pragma once
+#include <map>
+
+#include "samples/scene/fields.hpp"
+
+namespace relevo::scene {
+
+// Reads objects one after the other into `scene`; a file named by several of them is read once.
+class ObjectReader {
+  public:
+    // Paths are relative to `folder`. `encoding` says what the numbers in texture files mean.
+    ObjectReader(LoadedScene& scene, std::string folder, raster::Encoding encoding, Diagnosis& diagnosis)
+        : scene_(scene), folder_(std::move(folder)), encoding_(encoding), diagnosis_(diagnosis) {}
+
+    void read(const Value& table);
+
+  private:
+    // A mesh as a file or a generator brings it, before the scene's own material.
+    struct Part {
+        ModelDescription description;
+        const pipeline::Mesh* mesh;
+        pipeline::Material material;
+        std::string texture_path;
+    };
+    using Parts = std::vector<Part>;
+
+    Parts find_parts(const Fields& object);
+    Parts generated_part(const Fields& object, std::string_view name);
+    const Parts& file_parts(const Fields& object, const std::string& name);
+    Parts obj_parts(const std::string& path);
+    Parts solid_parts(const std::string& path);
+    void add_model(const Part& part, const Fields& object,
+                   const pipeline::Affine<pipeline::World, pipeline::Object>&);
+    const raster::Texture* texture(const std::string& path, const io::Place& place, const std::string& key);
+    const pipeline::Mesh* keep(pipeline::Mesh mesh);
+    std::string resolved(const std::string& path) const;
+    void say_file(const io::FileError& error);
+
+    LoadedScene& scene_;
+    std::string folder_;
+    raster::Encoding encoding_;
+    Diagnosis& diagnosis_;
+    io::Place asked_;       // where the file being read is named
+    std::string asked_as_;  // and as what
+    std::map<std::string, Parts> files_;
+    std::map<std::string, const raster::Texture*> textures_;
+};
+
+}  // namespace relevo::scene

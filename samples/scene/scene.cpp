@@ -1,0 +1,196 @@
+#include "samples/scene/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <filesystem>
+#include <tuple>
+
+#include "samples/io/file.hpp"
+#include "samples/io/suggest.hpp"
+#include "samples/scene/camera.hpp"
+#include "samples/scene/objects.hpp"
+
+namespace relevo::scene {
+namespace {
+
+using pipeline::max_picture_size;
+using pipeline::Scalar;
+
+constexpr std::string_view tables[] = {"image", "camera", "light", "object", "pipeline"};
+constexpr std::string_view image_keys[] = {"width", "height", "background", "output"};
+constexpr std::string_view light_keys[] = {"type", "position", "direction", "color"};
+constexpr std::string_view pipeline_keys[] = {"shading", "texture_filter", "depth", "cull"};
+
+// The tables of the document: empty where the file has none.
+struct Tables {
+    Value image, camera, pipeline;
+    std::vector<Value> lights, objects;
+};
+
+std::vector<Value> list_of_tables(const Entry& entry, Diagnosis& diagnosis) {
+    if (const auto* list = std::get_if<std::vector<Value>>(&entry.value.data)) return *list;
+    diagnosis.say(entry.place,
+                  fmt::format("[{0}] is one table, accepted: [[{0}]], which may be repeated", entry.key));
+    return {};
+}
+
+Tables split(const Value& document, const std::string& path, Diagnosis& diagnosis) {
+    const Value empty{{path, 1, 1}, Table{}};
+    Tables out{empty, empty, empty, {}, {}};
+    for (const Entry& entry : std::get<Table>(document.data)) {
+        if (entry.key == "image")
+            out.image = entry.value;
+        else if (entry.key == "camera")
+            out.camera = entry.value;
+        else if (entry.key == "pipeline")
+            out.pipeline = entry.value;
+        else if (entry.key == "light")
+            out.lights = list_of_tables(entry, diagnosis);
+        else if (entry.key == "object")
+            out.objects = list_of_tables(entry, diagnosis);
+        else
+            diagnosis.say(entry.place,
+                          fmt::format("unknown table or key {}, accepted: [image], [camera], [[light]], "
+                                      "[[object]], [pipeline]{}",
+                                      entry.key, io::suggestion(entry.key, tables)));
+    }
+    if (out.objects.empty())
+        diagnosis.say({path, 0, 0}, "there is no [[object]]: a scene needs at least one, with a mesh");
+    return out;
+}
+
+// "key=value" replaces or adds a key of [pipeline]; its place in messages is the option itself.
+void apply_options(const std::vector<std::string>& options, Value& pipeline, Diagnosis& diagnosis) {
+    auto* table = std::get_if<Table>(&pipeline.data);
+    for (const std::string& option : options) {
+        const io::Place place{"--set " + option, 0, 0};
+        const std::size_t equals = option.find('=');
+        if (equals == std::string::npos || equals == 0)
+            return diagnosis.say(place,
+                                 "accepted: key=value, with a key of [pipeline]: " + joined(pipeline_keys));
+        const std::string key = option.substr(0, equals);
+        if (!table) return;
+        std::erase_if(*table, [&](const Entry& entry) { return entry.key == key; });
+        table->push_back({key, place, Value{place, option.substr(equals + 1)}});
+    }
+}
+
+raster::Settings read_pipeline(const Value& table, Diagnosis& diagnosis) {
+    const Fields fields(table, "pipeline", pipeline_keys, diagnosis);
+    raster::Settings settings;
+    settings.shading = fields.choice("shading", settings.shading, shadings);
+    settings.texture_filter = fields.choice("texture_filter", settings.texture_filter, texture_filters);
+    settings.depth = fields.choice("depth", settings.depth, depth_formats);
+    settings.cull = fields.choice("cull", settings.cull, culls);
+    return settings;
+}
+
+void read_image(const Value& table, LoadedScene& out, Diagnosis& diagnosis) {
+    const Fields fields(table, "image", image_keys, diagnosis);
+    out.width = fields.whole("width", out.width, 1, max_picture_size);
+    out.height = fields.whole("height", out.height, 1, max_picture_size);
+    out.scene.background = fields.color("background", out.scene.background, zero_to_one);
+    out.settings.output = fields.choice("output", out.settings.output, outputs);
+}
+
+void refuse_size(const std::optional<std::pair<int, int>>& size, Diagnosis& diagnosis) {
+    if (!size) return;
+    const auto good = [](int n) { return 1 <= n && n <= max_picture_size; };
+    if (!good(size->first) || !good(size->second))
+        diagnosis.say(
+            {fmt::format("--size {}x{}", size->first, size->second), 0, 0},
+            fmt::format("accepted: WIDTHxHEIGHT, two whole numbers from 1 to {}", max_picture_size));
+}
+
+pipeline::Light read_light(const Value& table, const SceneCamera& camera, Diagnosis& diagnosis) {
+    using Kind = pipeline::Light::Kind;
+    const Fields fields(table, "light", light_keys, diagnosis);
+    pipeline::Light light;
+    light.kind = fields.choice("type", Kind::Point, light_types);
+    light.color = fields.color("color", light.color, zero_or_more);
+    const std::string_view foreign = light.kind == Kind::Point ? "direction" : "position";
+    if (fields.has(foreign))
+        diagnosis.say(fields.place(foreign),
+                      fmt::format("{} is for type = \"{}\" only", fields.full(foreign),
+                                  light.kind == Kind::Point ? "directional" : "point"));
+    const glm::dvec3 lamp = lamp_position(camera);
+    if (light.kind == Kind::Point) {
+        light.position = {pipeline::Vec3(fields.triple("position", lamp))};
+    } else {
+        light.direction = {pipeline::Vec3(fields.triple("direction", camera.description.target - lamp))};
+        if (light.direction.v == pipeline::Vec3(0, 0, 0))
+            fields.refuse("direction", "the way the light travels, three numbers that are not all 0");
+    }
+    return light;
+}
+
+// All tables in turn; the first thing that is wrong stays in `diagnosis`.
+void read_tables(const Tables& tables_found, const std::string& path, const SceneOptions& options,
+                 LoadedScene& out, Diagnosis& diagnosis) {
+    out.settings = read_pipeline(tables_found.pipeline, diagnosis);
+    read_image(tables_found.image, out, diagnosis);
+    refuse_size(options.size, diagnosis);
+    if (options.size) std::tie(out.width, out.height) = *options.size;
+    const auto encoding =
+        out.settings.output == raster::Output::Srgb ? raster::Encoding::Srgb : raster::Encoding::Raw;
+    ObjectReader objects(out, std::filesystem::path(path).parent_path().string(), encoding, diagnosis);
+    for (const Value& object : tables_found.objects)
+        if (diagnosis.fine()) objects.read(object);
+    if (!diagnosis.fine()) return;
+    const SceneCamera camera = read_camera(tables_found.camera, double(out.width) / out.height,
+                                           out.settings.depth, out.scene.models, diagnosis);
+    out.scene.camera = camera.camera;
+    out.camera = camera.description;
+    for (const Value& light : tables_found.lights)
+        out.scene.lights.push_back(read_light(light, camera, diagnosis));
+    if (tables_found.lights.empty())
+        out.scene.lights.push_back(read_light(Value{{path, 1, 1}, Table{}}, camera, diagnosis));
+}
+
+}  // namespace
+
+io::FileResult<LoadedScene> parse_scene(std::string_view text, const std::string& path,
+                                        const SceneOptions& options) {
+    const auto document = parse_document(text, path);
+    if (!document) return document.error();
+    Diagnosis diagnosis;
+    Tables tables_found = split(*document, path, diagnosis);
+    apply_options(options.set, tables_found.pipeline, diagnosis);
+    LoadedScene out;
+    out.path = path;
+    out.name = std::filesystem::path(path).stem().string();
+    if (diagnosis.fine()) read_tables(tables_found, path, options, out, diagnosis);
+    if (!diagnosis.fine()) return *diagnosis.error;
+    return out;
+}
+
+io::FileResult<LoadedScene> load_scene(const std::string& path, const SceneOptions& options) {
+    const auto text = io::read_text(path, std::size_t(16) << 20);
+    if (!text) return text.error();
+    return parse_scene(*text, path, options);
+}
+
+io::FileResult<std::pair<int, int>> parse_size(std::string_view text) {
+    const io::FileError error{
+        {"--size " + std::string(text), 0, 0},
+        fmt::format("accepted: WIDTHxHEIGHT, two whole numbers from 1 to {}", max_picture_size)};
+    const char* const end = text.data() + text.size();
+    int width = 0, height = 0;
+    const auto first = std::from_chars(text.data(), end, width);
+    if (first.ec != std::errc() || first.ptr == end || *first.ptr != 'x') return error;
+    const auto second = std::from_chars(first.ptr + 1, end, height);
+    if (second.ec != std::errc() || second.ptr != end) return error;
+    const auto good = [](int n) { return 1 <= n && n <= max_picture_size; };
+    if (!good(width) || !good(height)) return error;
+    return std::pair<int, int>{width, height};
+}
+
+raster::Frame make_frame(const LoadedScene& scene) {
+    raster::Frame frame;
+    frame.color = raster::Image<raster::Rgba8>(scene.width, scene.height);
+    frame.depth = raster::Image<Scalar>(scene.width, scene.height);
+    return frame;
+}
+
+}  // namespace relevo::scene
