@@ -1,0 +1,126 @@
+#include "samples/show/index_page.hpp"
+
+#include <fmt/format.h>
+
+#include "samples/show/numbers.hpp"
+
+namespace relevo::show {
+namespace {
+
+constexpr std::string_view style = R"(
+:root { color-scheme: light dark; --ink: #181e25; --soft: #56616d; --paper: #ffffff; --tint: #f3f5f8; --line: #dde2e8; --link: #0062a0; }
+@media (prefers-color-scheme: dark) {
+  :root { --ink: #e8ecf1; --soft: #a3afbc; --paper: #14191f; --tint: #1e252d; --line: #343e49; --link: #6cb8ea; }
+}
+* { box-sizing: border-box; }
+html { scroll-behavior: smooth; }
+body { margin: 0 auto; max-width: 82rem; padding: 1.5rem clamp(.8rem, 3vw, 2.5rem) 4rem; background: var(--paper); color: var(--ink);
+  font: 1.0625rem/1.55 system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif; }
+h1 { font-size: clamp(1.6rem, 4vw, 2.3rem); line-height: 1.2; margin: .5rem 0; overflow-wrap: anywhere; }
+h2 { font-size: 1.5rem; margin: 0 0 .2rem; }
+h2 span { color: var(--soft); font-weight: 400; margin-right: .35em; font-variant-numeric: tabular-nums; }
+p { margin: .3rem 0 .8rem; max-width: 65rem; }
+a { color: var(--link); }
+.soft { color: var(--soft); }
+nav ol { list-style: none; margin: 1.5rem 0 0; padding: 0; display: grid; gap: .8rem; grid-template-columns: repeat(auto-fill, minmax(8.5rem, 1fr)); }
+nav a { display: block; text-decoration: none; }
+nav img { display: block; width: 100%; aspect-ratio: 4 / 3; object-fit: cover; object-position: top left; border: 1px solid var(--line); border-radius: .35rem; background: #fff; }
+section { margin-top: 3rem; padding-top: 1.2rem; border-top: 1px solid var(--line); scroll-margin-top: .5rem; }
+figure { margin: 0; }
+figure img { display: block; max-width: 100%; height: auto; margin: 0 auto; border: 1px solid var(--line); border-radius: .35rem; background: #fff; }
+dl { display: flex; flex-wrap: wrap; gap: .4rem; margin: .9rem 0 0; }
+dl div { background: var(--tint); border-radius: .35rem; padding: .15rem .7rem; }
+dt { display: inline; color: var(--soft); }
+dt::after { content: ": "; }
+dd { display: inline; margin: 0; font-variant-numeric: tabular-nums; }
+.turn { display: flex; justify-content: space-between; margin-top: .8rem; }
+@media print {
+  :root { --ink: #000; --soft: #444; --paper: #fff; --tint: #fff; --line: #bbb; --link: #000; }
+  body { max-width: none; padding: 0; font-size: 11pt; }
+  nav, .turn { display: none; }
+  section { break-inside: avoid; break-before: page; border: 0; margin: 0; }
+  section:first-of-type { break-before: auto; }
+  figure img { max-height: 75vh; width: auto; }
+}
+)";
+
+std::string escaped(std::string_view words_of_page) {
+    std::string out;
+    for (const char c : words_of_page) {
+        if (c == '&')
+            out += "&amp;";
+        else if (c == '<')
+            out += "&lt;";
+        else if (c == '>')
+            out += "&gt;";
+        else if (c == '"')
+            out += "&quot;";
+        else
+            out += c;
+    }
+    return out;
+}
+
+std::string shown(const Count& count) {
+    if (const auto* whole = std::get_if<std::int64_t>(&count.value)) return grouped(*whole);
+    return number(std::get<double>(count.value));
+}
+
+std::string spaced(std::string name) {
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
+std::string thumbnail(const StageRecord& r) {
+    return fmt::format(
+        "<li><a href=\"#{0}\"><img src=\"{1}\" alt=\"\" loading=\"lazy\">{2:02} {0}</a></li>\n", r.name,
+        r.file, r.number);
+}
+
+std::string turn(std::span<const StageRecord> records, std::size_t i) {
+    const auto link = [&](std::size_t k, std::string_view before, std::string_view after) {
+        return fmt::format("<a href=\"#{0}\">{1}{0}{2}</a>", records[k].name, before, after);
+    };
+    return "<p class=\"turn\">" + (i > 0 ? link(i - 1, "← ", "") : std::string("<span></span>")) +
+           (i + 1 < records.size() ? link(i + 1, "", " →")
+                                   : std::string("<a href=\"#top\">to the top ↑</a>")) +
+           "</p>\n";
+}
+
+std::string section(std::span<const StageRecord> records, std::size_t i) {
+    const StageRecord& r = records[i];
+    std::string counts;
+    for (const Count& count : r.counts)
+        counts +=
+            fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", escaped(spaced(count.name)), shown(count));
+    return fmt::format(
+        "<section "
+        "id=\"{0}\">\n<h2><span>{1:02}</span>{0}</h2>\n<figure>\n<figcaption><p>{2}</p></figcaption>\n"
+        "<a href=\"{3}\"><img src=\"{3}\" width=\"{4}\" height=\"{5}\" loading=\"lazy\" alt=\"Step picture "
+        "of stage {0}: {2}\"></a>\n</figure>\n<dl>\n{6}</dl>\n{7}</section>\n",
+        r.name, r.number, escaped(r.caption), r.file, r.width, r.height, counts, turn(records, i));
+}
+
+}  // namespace
+
+std::string index_page(const scene::LoadedScene& loaded, std::span<const StageRecord> records) {
+    std::int64_t triangles = 0;
+    for (const raster::Model& m : loaded.scene.models)
+        triangles += static_cast<std::int64_t>(m.mesh->triangles());
+    const std::string title = escaped(loaded.name) + ": the pipeline step by step";
+    std::string page = fmt::format(
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, "
+        "initial-scale=1\">\n<title>{0}</title>\n<style>{1}</style>\n</head>\n"
+        "<body id=\"top\">\n<header>\n<h1>{0}</h1>\n<p class=\"soft\">{2}, {3}, {4} × {5} pixels. "
+        "The same numbers for programs: <a href=\"steps.json\">steps.json</a>; how long it took: <a "
+        "href=\"timing.json\">timing.json</a>.</p>\n</header>\n<nav aria-label=\"Stages\"><ol>\n",
+        title, style, counted(std::int64_t(loaded.scene.models.size()), "model"),
+        counted(triangles, "triangle"), loaded.width, loaded.height);
+    for (const StageRecord& r : records) page += thumbnail(r);
+    page += "</ol></nav>\n<main>\n";
+    for (std::size_t i = 0; i < records.size(); ++i) page += section(records, i);
+    return page + "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace relevo::show

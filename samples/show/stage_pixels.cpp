@@ -1,0 +1,407 @@
+// The pictures made of pixels: coverage, depth, attributes, and the shadings.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "samples/show/numbers.hpp"
+#include "samples/show/stage.hpp"
+
+namespace relevo::show {
+namespace {
+
+using Kind = PanelRow::Kind;
+using raster::Scalar;
+
+// A page round a rendered picture, each pixel as big as there is room, with a grid from 8 on.
+StagePage picture_page(const Heading& heading, const std::vector<PanelBlock>& panel, const Picture& picture) {
+    const int factor = std::max(1, std::min(diagram_width / picture.width(), 720 / picture.height()));
+    const int width = picture.width() * factor, height = picture.height() * factor;
+    Page page = lay_out(heading, panel, width, height);
+    const Rect rect{page.area.x + (page.area.width - width) / 2, page.area.y, width, height};
+    const Canvas canvas = canvas_of(page.picture);
+    paste(canvas, picture, rect.x, rect.y, factor);
+    if (factor >= 8) pixel_grid(canvas, rect, factor, with_opacity(haze, 110));
+    frame(canvas, {rect.x - 1, rect.y - 1, rect.width + 2, rect.height + 2}, muted);
+    return {std::move(page.picture), {}, rect, factor};
+}
+
+std::string share(std::int64_t part, std::int64_t whole) {
+    return fmt::format("{} ({:.1f} %)", grouped(part),
+                       whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+}
+
+// Stripes that no surface shows: a pixel without a triangle.
+Rgba8 empty_pixel(int x, int y) { return (x + y) / 4 % 2 == 0 ? night : Rgba8{38, 46, 60}; }
+
+// Each pixel's colour by `paint(SeenPixel, x, y)`, stripes where there is nothing.
+template <class Paint>
+Picture painted(const Capture& capture, Paint&& paint) {
+    const raster::Image<SeenPixel>& seen = capture.seen.pixels.pixels;
+    Picture out(seen.width(), seen.height());
+    for (int y = 0; y < seen.height(); ++y)
+        for (int x = 0; x < seen.width(); ++x)
+            out.at(x, y) = seen.at(x, y).empty() ? empty_pixel(x, y) : paint(seen.at(x, y), x, y);
+    return out;
+}
+
+struct Range {
+    double low = 0, high = 0;
+    bool empty = true;
+    void add(double v) {
+        if (!std::isfinite(v)) return;
+        low = empty ? v : std::min(low, v), high = empty ? v : std::max(high, v);
+        empty = false;
+    }
+    // 0 at `low`, 1 at `high`; 1 when there is no span.
+    double share_of(double v) const { return high > low ? (v - low) / (high - low) : 1; }
+    std::string text() const { return empty ? "none" : range(low, high); }
+};
+
+std::uint8_t level(double share_of_255) {
+    return static_cast<std::uint8_t>(std::clamp(share_of_255, 0.0, 1.0) * 255 + 0.5);
+}
+Rgba8 grey(double share_of_range) {
+    const std::uint8_t g = level(0.14 + 0.86 * share_of_range);
+    return {g, g, g};
+}
+
+std::int64_t visible_pixels(const Capture& capture) {
+    const auto& pixels = capture.seen.pixels.pixels.pixels();
+    return std::count_if(pixels.begin(), pixels.end(), [](const SeenPixel& p) { return !p.empty(); });
+}
+
+}  // namespace
+
+// ---- coverage ----
+
+StagePage draw_coverage(const Capture& capture, const Heading& heading) {
+    std::map<std::uint32_t, std::int64_t> area_of;  // pixels by triangle
+    for (const SeenPixel& p : capture.seen.pixels.pixels.pixels())
+        if (!p.empty()) ++area_of[p.primitive];
+    std::vector<std::pair<std::int64_t, std::uint32_t>> largest;
+    for (const auto& [primitive, area] : area_of) largest.push_back({-area, primitive});
+    std::sort(largest.begin(), largest.end());
+    const PixelProbe& seen = capture.seen.pixels;
+    const std::int64_t all = std::int64_t(seen.pixels.width()) * seen.pixels.height(),
+                       visible = visible_pixels(capture);
+    const PanelBlock pixels{"Pixels",
+                            {pair("in the picture", grouped(all)), pair("covered", share(visible, all)),
+                             pair("empty", grouped(all - visible))}};
+    const PanelBlock fragments{
+        "Fragments",
+        {pair("covered centres", grouped(seen.covered)),
+         pair("a covered pixel has", number(visible == 0 ? 0 : double(seen.covered) / double(visible))),
+         quiet("A fragment is one pixel of one triangle. Where triangles lie behind each other, a pixel has "
+               "several.")}};
+    PanelBlock triangles{"Triangles seen: " + grouped(std::int64_t(area_of.size())), {}};
+    for (std::size_t i = 0; i < std::min<std::size_t>(largest.size(), 6); ++i)
+        triangles.rows.push_back(sample(Kind::Square, color_of_number(largest[i].second),
+                                        "number " + std::to_string(largest[i].second),
+                                        grouped(-largest[i].first) + " px"));
+    triangles.rows.push_back(sample(Kind::Square, night, "no triangle (stripes)"));
+    const PanelBlock how{
+        "",
+        {quiet("On an edge that two triangles share, the top-left rule gives the pixel to exactly one.")}};
+    StagePage stage = picture_page(
+        heading, {pixels, fragments, triangles, how},
+        painted(capture, [](const SeenPixel& p, int, int) { return color_of_number(p.primitive); }));
+    if (visible == 0) say(canvas_of(stage.picture), stage.pixels, "no pixel is covered");
+    stage.counts = {{"pixels", all},
+                    {"covered_pixels", visible},
+                    {"fragments", seen.covered},
+                    {"triangles_seen", std::int64_t(area_of.size())}};
+    return stage;
+}
+
+// ---- depth ----
+
+StagePage draw_depth(const Capture& capture, const Heading& heading) {
+    const raster::Image<SeenPixel>& seen = capture.seen.pixels.pixels;
+    Range z;
+    for (int y = 0; y < seen.height(); ++y)
+        for (int x = 0; x < seen.width(); ++x)
+            if (!seen.at(x, y).empty()) z.add(static_cast<double>(capture.depth.at(x, y)));
+    const bool reversed = capture.reversed_depth();
+    const double nearest = reversed ? z.high : z.low, farthest = reversed ? z.low : z.high;
+    const PixelProbe& probe = capture.seen.pixels;
+    const auto light = [&](double v) {
+        return reversed ? z.share_of(v) : (z.high > z.low ? 1 - z.share_of(v) : 1);
+    };
+    const PanelBlock format{
+        "Depth buffer",
+        {pair("format", reversed ? "float32, reversed" : "float32, forward"),
+         pair("near plane", reversed ? "1" : "0"), pair("far plane, empty", reversed ? "0" : "1")}};
+    PanelBlock legend{"Legend", {}};
+    if (!z.empty) {
+        legend.rows = {pair("nearest pixel (light)", number(nearest)),
+                       pair("farthest pixel (dark)", number(farthest)),
+                       ramp(grey(0), grey(1), number(farthest), number(nearest))};
+    }
+    legend.rows.push_back(sample(Kind::Square, night, "empty (stripes)"));
+    const PanelBlock test{
+        "Depth test",
+        {pair("tested", grouped(probe.covered)), pair("drawn", grouped(probe.passed)),
+         pair("hidden, thrown away", grouped(probe.covered - probe.passed)),
+         quiet(reversed ? "The larger number is nearer and wins." : "The smaller number is nearer and wins."),
+         quiet("Of equal ones the triangle drawn first stays.")}};
+    StagePage stage =
+        picture_page(heading, {format, legend, test}, painted(capture, [&](const SeenPixel&, int x, int y) {
+                         return grey(light(static_cast<double>(capture.depth.at(x, y))));
+                     }));
+    if (z.empty)
+        say(canvas_of(stage.picture), stage.pixels,
+            "no pixel is covered: the depth buffer is as it was cleared");
+    stage.counts = {{"tested", probe.covered}, {"passed", probe.passed}};
+    if (!z.empty)
+        stage.counts.push_back({"nearest", nearest}), stage.counts.push_back({"farthest", farthest});
+    return stage;
+}
+
+// ---- attributes ----
+namespace {
+
+Rgba8 weight_color(const SeenPixel& p) {
+    return {level(double(p.weights[0])), level(double(p.weights[1])), level(double(p.weights[2]))};
+}
+
+Rgba8 normal_color(const SeenPixel& p) {
+    const double x = double(p.normal[0]), y = double(p.normal[1]), z = double(p.normal[2]),
+                 length = std::sqrt(x * x + y * y + z * z);
+    if (!(length > 0) || !std::isfinite(length)) return {128, 128, 128};
+    return {level(0.5 + 0.5 * x / length), level(0.5 + 0.5 * y / length), level(0.5 + 0.5 * z / length)};
+}
+
+// u in red, v in green, over a board of eight fields a unit.
+Rgba8 uv_color(const SeenPixel& p) {
+    if (!p.textured) return {112, 118, 126};
+    const double u = double(p.uv[0]) - std::floor(double(p.uv[0])),
+                 v = double(p.uv[1]) - std::floor(double(p.uv[1]));
+    const bool dark = (static_cast<int>(u * 8) + static_cast<int>(v * 8)) % 2 != 0;
+    const double k = dark ? 0.72 : 1;
+    return {level(k * (0.15 + 0.85 * u)), level(k * (0.15 + 0.85 * v)), level(k * 0.4)};
+}
+
+struct AttributeRanges {
+    std::array<Range, 3> weight, normal;
+    Range u, v, inv_w;
+    std::int64_t textured = 0;
+};
+AttributeRanges attribute_ranges(const Capture& capture) {
+    AttributeRanges r;
+    for (const SeenPixel& p : capture.seen.pixels.pixels.pixels()) {
+        if (p.empty()) continue;
+        for (std::size_t k = 0; k < 3; ++k)
+            r.weight[k].add(double(p.weights[k])), r.normal[k].add(double(p.normal[k]));
+        r.inv_w.add(double(p.inv_w));
+        if (p.textured) r.u.add(double(p.uv[0])), r.v.add(double(p.uv[1])), ++r.textured;
+    }
+    return r;
+}
+
+Picture reduced(const Picture& picture, int divisor) {
+    Picture out((picture.width() + divisor - 1) / divisor, (picture.height() + divisor - 1) / divisor);
+    for (int y = 0; y < out.height(); ++y)
+        for (int x = 0; x < out.width(); ++x) out.at(x, y) = picture.at(x * divisor, y * divisor);
+    return out;
+}
+
+constexpr int attribute_title = 30, attribute_gap = 16;
+
+}  // namespace
+
+StagePage draw_attributes(const Capture& capture, const Heading& heading) {
+    const AttributeRanges r = attribute_ranges(capture);
+    const bool parallel = capture.scene().camera.parallel;
+    const PanelBlock weights{"Weights of the corners",
+                             {sample(Kind::Square, {255, 0, 0}, "corner 0", r.weight[0].text()),
+                              sample(Kind::Square, {0, 255, 0}, "corner 1", r.weight[1].text()),
+                              sample(Kind::Square, {0, 0, 255}, "corner 2", r.weight[2].text())}};
+    const PanelBlock normals{"Normals in eye space",
+                             {sample(Kind::Square, {255, 128, 128}, "x: right", r.normal[0].text()),
+                              sample(Kind::Square, {128, 255, 128}, "y: up", r.normal[1].text()),
+                              sample(Kind::Square, {128, 128, 255}, "z: to the eye", r.normal[2].text())}};
+    PanelBlock uv{"Texture coordinates", {}};
+    if (r.textured > 0)
+        uv.rows = {sample(Kind::Square, {255, 38, 102}, "u", r.u.text()),
+                   sample(Kind::Square, {38, 255, 102}, "v", r.v.text()), quiet("8 × 8 fields a texture.")};
+    else
+        uv.rows = {quiet("None are carried: no texture is seen in this scene.")};
+    PanelBlock inv_w{
+        "1 / w",
+        {ramp(grey(0), grey(1), number(r.inv_w.low), number(r.inv_w.high)),
+         quiet(parallel ? "1 everywhere: the projection is parallel."
+                        : "Linear in the window; dividing by it makes the others right in perspective.")}};
+
+    const int w = capture.loaded->width, h = capture.loaded->height;
+    const int divisor = std::max({1, (2 * w + 1299) / 1300, (2 * h + 1299) / 1300});
+    const int factor = divisor > 1 ? 1
+                                   : std::max(1, std::min((diagram_width - attribute_gap) / (2 * w),
+                                                          (720 - 2 * attribute_title) / (2 * h)));
+    const int width = (w + divisor - 1) / divisor * factor, height = (h + divisor - 1) / divisor * factor;
+    const int cell_width = std::max(width, 16 * 2 * letter_cell);
+    if (divisor > 1)
+        inv_w.rows.push_back(quiet(fmt::format("Every {}{} pixel is shown.", divisor,
+                                               divisor == 2   ? "nd"
+                                               : divisor == 3 ? "rd"
+                                                              : "th")));
+    Page page = lay_out(heading, {weights, normals, uv, inv_w}, 2 * cell_width + attribute_gap,
+                        2 * (height + attribute_title) + attribute_gap);
+    const Canvas canvas = canvas_of(page.picture);
+
+    const std::array<std::string, 4> titles{"weights", "normals", "u, v", "1/w"};
+    const std::array<Picture, 4> pictures{
+        painted(capture, [](const SeenPixel& p, int, int) { return weight_color(p); }),
+        painted(capture, [](const SeenPixel& p, int, int) { return normal_color(p); }),
+        painted(capture, [](const SeenPixel& p, int, int) { return uv_color(p); }),
+        painted(capture,
+                [&](const SeenPixel& p, int, int) { return grey(r.inv_w.share_of(double(p.inv_w))); })};
+    const int left = page.area.x + (page.area.width - 2 * cell_width - attribute_gap) / 2;
+    for (int i = 0; i < 4; ++i) {
+        const int x = left + i % 2 * (cell_width + attribute_gap),
+                  y = page.area.y + i / 2 * (height + attribute_title + attribute_gap);
+        text(canvas, x, y + 4, titles[std::size_t(i)], navy);
+        const Rect rect{x, y + attribute_title, width, height};
+        paste(canvas, divisor > 1 ? reduced(pictures[std::size_t(i)], divisor) : pictures[std::size_t(i)],
+              rect.x, rect.y, factor);
+        if (factor >= 8) pixel_grid(canvas, rect, factor, with_opacity(haze, 110));
+        frame(canvas, {rect.x - 1, rect.y - 1, rect.width + 2, rect.height + 2}, muted);
+        if (r.inv_w.empty)
+            say(canvas, rect, "no pixel is covered");
+        else if (i == 2 && r.textured == 0)
+            say(canvas, rect, "no texture in this scene");
+    }
+    std::vector<Count> counts{{"covered_pixels", visible_pixels(capture)}, {"textured_pixels", r.textured}};
+    if (!r.inv_w.empty)
+        counts.push_back({"inv_w_low", r.inv_w.low}), counts.push_back({"inv_w_high", r.inv_w.high});
+    return {std::move(page.picture), std::move(counts), {}, 1};
+}
+
+// ---- shadings ----
+namespace {
+
+PanelBlock work_block(const Capture& capture, raster::Shading chosen) {
+    const GeometryProbe& geometry = capture.seen.geometry;
+    std::int64_t faces = 0;
+    for (const SeenFace& face : geometry.faces) faces += !face.culled;
+    faces -= geometry.rejected[static_cast<std::size_t>(raster::Rejection::NoPixel)];
+    const auto row = [&](raster::Shading shading, const std::string& name, std::int64_t count) {
+        return pair((shading == chosen ? "→ " : "  ") + name, grouped(count));
+    };
+    return {"Light calculations",
+            {row(raster::Shading::Flat, "flat: a face", faces),
+             row(raster::Shading::Gouraud, "Gouraud: a corner", capture.corners()),
+             row(raster::Shading::Phong, "Phong: a drawn pixel", capture.seen.pixels.passed)}};
+}
+
+PanelBlock material_block(const Capture& capture) {
+    PanelBlock block{"Material", {}};
+    if (capture.scene().models.empty()) return block;
+    const pipeline::Material& m = capture.model(0).material;
+    block.title = shortened("Material: " + model_name(*capture.loaded, 0, 40), panel_columns);
+    block.rows = {pair("ambient", number(double(m.ambient))), pair("diffuse", number(double(m.diffuse))),
+                  pair("specular", number(double(m.specular))),
+                  pair("shininess", number(double(m.shininess))),
+                  pair("lights", std::to_string(capture.scene().lights.size()))};
+    return block;
+}
+
+StagePage draw_shading(const Capture& capture, const Heading& heading, raster::Shading shading,
+                       std::vector<PanelBlock> panel) {
+    if (visible_pixels(capture) == 0)
+        panel.push_back({"", {words("No pixel is covered: only the background is seen.")}});
+    StagePage stage = picture_page(heading, panel, drawn_picture(*capture.loaded, shading));
+    stage.counts = {{"drawn_fragments", capture.seen.pixels.passed},
+                    {"covered_pixels", visible_pixels(capture)}};
+    return stage;
+}
+
+std::string shading_name(raster::Shading shading) {
+    switch (shading) {
+        case raster::Shading::Unlit:
+            return "unlit";
+        case raster::Shading::Flat:
+            return "flat";
+        case raster::Shading::Gouraud:
+            return "Gouraud";
+        case raster::Shading::Phong:
+            return "Phong";
+    }
+    return "";
+}
+
+}  // namespace
+
+StagePage draw_flat(const Capture& capture, const Heading& heading) {
+    return draw_shading(capture, heading, raster::Shading::Flat,
+                        {work_block(capture, raster::Shading::Flat),
+                         material_block(capture),
+                         {"Look for",
+                          {quiet("Every facet has one colour, and its edges are seen: the eye finds even "
+                                 "small steps of brightness (Mach bands).")}}});
+}
+StagePage draw_gouraud(const Capture& capture, const Heading& heading) {
+    return draw_shading(capture, heading, raster::Shading::Gouraud,
+                        {work_block(capture, raster::Shading::Gouraud),
+                         material_block(capture),
+                         {"Look for",
+                          {quiet("Highlights in the middle of large triangles are missed, and small ones "
+                                 "turn into stars: colours are only known at the corners.")}}});
+}
+StagePage draw_phong(const Capture& capture, const Heading& heading) {
+    return draw_shading(
+        capture, heading, raster::Shading::Phong,
+        {work_block(capture, raster::Shading::Phong),
+         material_block(capture),
+         {"Look for",
+          {quiet("Highlights are round and in their place; only the outline still shows the triangles.")}}});
+}
+
+StagePage draw_texture(const Capture& capture, const Heading& heading) {
+    const std::vector<raster::Model>& models = capture.scene().models;
+    PanelBlock textures{"Textures", {}};
+    std::int64_t textured = 0;
+    for (std::size_t m = 0; m < models.size(); ++m) {
+        if (models[m].texture == nullptr) continue;
+        if (++textured > 5) continue;
+        const bool named = m < capture.loaded->descriptions.size();
+        textures.rows.push_back(
+            words(named ? shortened(capture.loaded->descriptions[m].texture, panel_columns) : "texture"));
+        textures.rows.push_back(
+            pair("  of " + model_name(*capture.loaded, m, 14),
+                 fmt::format("{} × {}", models[m].texture->width, models[m].texture->height)));
+    }
+    if (textured > 5) textures.rows.push_back(quiet(fmt::format("and {} more", textured - 5)));
+    if (textured == 0) textures.rows.push_back(quiet("None: every surface shows its material's colour."));
+    const bool bilinear = capture.loaded->settings.texture_filter == raster::Filter::Bilinear;
+    const PanelBlock filter{"Filter",
+                            {pair("setting", bilinear ? "bilinear" : "nearest"),
+                             quiet(bilinear ? "The four texels round the place are mixed by their distance."
+                                            : "The texel at the place is taken as it is.")}};
+    StagePage stage = draw_shading(capture, heading, raster::Shading::Unlit, {textures, filter});
+    if (textured == 0 && visible_pixels(capture) > 0)
+        say(canvas_of(stage.picture), stage.pixels, "no texture in this scene");
+    stage.counts.push_back({"textured_models", textured});
+    return stage;
+}
+
+StagePage draw_final(const Capture& capture, const Heading& heading) {
+    const raster::Settings& s = capture.loaded->settings;
+    const PixelProbe& seen = capture.seen.pixels;
+    const PanelBlock settings{
+        "Settings",
+        {pair("shading", shading_name(s.shading)),
+         pair("texture filter", s.texture_filter == raster::Filter::Bilinear ? "bilinear" : "nearest"),
+         pair("depth", capture.reversed_depth() ? "float32, reversed" : "float32, forward"),
+         pair("cull", s.cull == pipeline::Cull::Back    ? "back"
+                      : s.cull == pipeline::Cull::Front ? "front"
+                                                        : "none"),
+         pair("output", s.output == raster::Output::Srgb ? "sRGB" : "raw")}};
+    const PanelBlock way{"The way here",
+                         {pair("triangles", grouped(capture.triangles())),
+                          pair("in the window", grouped(std::int64_t(capture.seen.geometry.faces.size()))),
+                          pair("fragments", grouped(seen.covered)), pair("drawn", grouped(seen.passed)),
+                          pair("pixels", grouped(visible_pixels(capture)))}};
+    return draw_shading(capture, heading, s.shading, {settings, way});
+}
+
+}  // namespace relevo::show
