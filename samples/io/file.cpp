@@ -97,13 +97,13 @@ Failure write_directly(const std::string& path, std::string_view bytes) {
     Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
     const int error = file.number() < 0 ? errno : write_all(file.number(), bytes);
     if (error == 0) return std::nullopt;
-    return FileError{{path}, "cannot be written: " + why(error)};
+    return error_in(path, "cannot be written: " + why(error));
 }
 
 }  // namespace
 
 FileResult<std::string> read_file(const std::string& path, std::size_t size_limit) {
-    const auto failure = [&](std::string message) { return FileError{{path}, std::move(message)}; };
+    const auto failure = [&](std::string message) { return error_in(path, std::move(message)); };
     Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (file.number() < 0 && errno == ENOENT) return failure("there is no such file");
     if (file.number() < 0) return failure("cannot be opened: " + why(errno));
@@ -125,7 +125,7 @@ FileResult<std::string> read_file(const std::string& path, std::size_t size_limi
 FileResult<std::string> read_text(const std::string& path, std::size_t size_limit) {
     auto text = read_file(path, size_limit);
     if (!text) return text;
-    if (text->empty()) return FileError{{path}, "the file is empty"};
+    if (text->empty()) return error_in(path, "the file is empty");
     if (text->starts_with("\xef\xbb\xbf")) text->erase(0, 3);
     if (const std::size_t zero = text->find('\0'); zero != std::string::npos) {
         const auto begin = text->begin(), end = begin + static_cast<std::ptrdiff_t>(zero);
@@ -139,7 +139,7 @@ FileResult<std::string> read_text(const std::string& path, std::size_t size_limi
 }
 
 Failure write_file(const std::string& path, std::string_view bytes) {
-    const auto failure = [&](int error) { return FileError{{path}, "cannot be written: " + why(error)}; };
+    const auto failure = [&](int error) { return error_in(path, "cannot be written: " + why(error)); };
     const std::string target = without_links(path);
     struct stat status {};
     const bool exists = ::stat(target.c_str(), &status) == 0;

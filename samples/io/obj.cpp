@@ -302,7 +302,7 @@ FileResult<std::vector<ObjPart>> read_obj(const std::string& path) {
     do {
         if (const Failure failure = read_statement(reading)) return *failure;
     } while (reading.words.next_line());
-    if (reading.parts.empty()) return FileError{{path}, "no faces: a mesh needs at least one line 'f v v v'"};
+    if (reading.parts.empty()) return error_in(path, "no faces: a mesh needs at least one line 'f v v v'");
     return finished(reading);
 }
 

@@ -20,11 +20,19 @@ struct FileError {
     // "file:line:column: message"; what is 0 is left out.
     std::string text() const {
         std::string out = place.file;
-        if (place.line > 0) out += ":" + std::to_string(place.line);
-        if (place.line > 0 && place.column > 0) out += ":" + std::to_string(place.column);
-        return out + ": " + message;
+        if (place.line > 0) out.append(":").append(std::to_string(place.line));
+        if (place.line > 0 && place.column > 0) out.append(":").append(std::to_string(place.column));
+        return out.append(": ").append(message);
     }
 };
+
+// About a file as a whole.
+inline FileError error_in(const std::string& file, const std::string& message) {
+    FileError error;
+    error.place.file = file;
+    error.message = message;
+    return error;
+}
 
 template <class T>
 using FileResult = pipeline::Result<T, FileError>;

@@ -283,11 +283,10 @@ FileResult<SolidMesh> read_solid(const std::string& path) {
     if (!text) return text.error();
     Reading reading{path, Words(*text)};
     const Word first = reading.words.anywhere();
-    if (first.text.empty()) return FileError{{path}, "the file holds no words"};
+    if (first.text.empty()) return error_in(path, "the file holds no words");
     const bool is_number = std::string_view("+-.0123456789").find(first.text[0]) != std::string_view::npos;
     auto solid = is_number ? read_first_format(reading, first) : read_second_format(reading, first);
-    if (solid && solid->mesh.indices.empty())
-        return FileError{{path}, "no faces: a solid needs at least one"};
+    if (solid && solid->mesh.indices.empty()) return error_in(path, "no faces: a solid needs at least one");
     return solid;
 }
 
@@ -298,7 +297,7 @@ Failure write_solid(const std::string& path, const pipeline::Mesh& mesh) {
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
         const pipeline::Vertex& vertex = mesh.vertices[mesh.indices[i]];
         if (!is_finite(vertex))
-            return FileError{{path}, "cannot be written: the mesh holds a number that is not finite"};
+            return error_in(path, "cannot be written: the mesh holds a number that is not finite");
         faces += fmt::format("{} {} {} ", positions.number(vertex.position.v),
                              normals.number(vertex.normal.v), uvs.number(vertex.uv));
         if (i % 3 == 2) faces += "-1\n";

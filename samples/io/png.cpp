@@ -1,0 +1,62 @@
+#include "samples/io/png.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "samples/io/file.hpp"
+
+// The encoder of Debian's libstb-dev, compiled here and nowhere else; its warnings are not ours.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wall"
+#pragma GCC diagnostic ignored "-Wextra"
+#pragma GCC diagnostic ignored "-Wpedantic"
+#define STBI_WRITE_NO_STDIO
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#include <stb/stb_image_write.h>
+#pragma GCC diagnostic pop
+
+namespace relevo::io {
+namespace {
+
+struct Target {
+    const std::string& path;
+    Failure failure;
+};
+
+void take_bytes(void* user, void* bytes, int size) {
+    Target& target = *static_cast<Target*>(user);
+    target.failure =
+        write_file(target.path, {static_cast<const char*>(bytes), static_cast<std::size_t>(size)});
+}
+
+// The pixels without their alpha.
+std::vector<std::uint8_t> rgb_rows(const raster::Image<raster::Rgba8>& image) {
+    std::vector<std::uint8_t> rows;
+    rows.reserve(image.pixels().size() * 3);
+    for (const raster::Rgba8& p : image.pixels()) rows.insert(rows.end(), {p.r, p.g, p.b});
+    return rows;
+}
+
+}  // namespace
+
+Failure write_png(const std::string& path, const raster::Image<raster::Rgba8>& image) {
+    static_assert(sizeof(raster::Rgba8) == 4);
+    if (image.empty()) return error_in(path, "cannot be written: the picture has no pixels");
+    const bool opaque = std::all_of(image.pixels().begin(), image.pixels().end(),
+                                    [](const raster::Rgba8& pixel) { return pixel.a == 255; });
+    const std::vector<std::uint8_t> rgb = opaque ? rgb_rows(image) : std::vector<std::uint8_t>();
+    const void* const rows = opaque ? static_cast<const void*>(rgb.data()) : image.pixels().data();
+    const int channels = opaque ? 3 : 4;
+    // The encoder counts bytes in int.
+    if ((std::size_t(image.width()) * std::size_t(channels) + 1) * std::size_t(image.height()) > 0x7fffffff)
+        return error_in(path, "cannot be written: the picture is too large for a PNG file, at most 2 GB");
+    Target target{path, error_in(path, "cannot be written: not enough memory for the PNG encoder")};
+    stbi_write_png_to_func(take_bytes, &target, image.width(), image.height(), channels, rows,
+                           image.width() * channels);
+    return target.failure;
+}
+
+}  // namespace relevo::io

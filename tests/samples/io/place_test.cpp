@@ -1,0 +1,18 @@
+#include "samples/io/place.hpp"
+
+#include <gtest/gtest.h>
+
+namespace relevo::io {
+namespace {
+
+TEST(Place, AnErrorNamesFileLineAndColumn) {
+    EXPECT_EQ((FileError{{"a.obj", 3, 7}, "broken"}.text()), "a.obj:3:7: broken");
+}
+
+TEST(Place, WhatIsUnknownIsLeftOut) {
+    EXPECT_EQ((FileError{{"a.obj", 3}, "broken"}.text()), "a.obj:3: broken");
+    EXPECT_EQ((FileError{{"a.obj"}, "broken"}.text()), "a.obj: broken");
+}
+
+}  // namespace
+}  // namespace relevo::io
