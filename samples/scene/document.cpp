@@ -1,5 +1,6 @@
 // The one place that knows toml++ (which compiles slowly).
 #define TOML_EXCEPTIONS 0
+#define TOML_HEADER_ONLY 1
 #include "samples/scene/document.hpp"
 
 #include <fmt/format.h>
