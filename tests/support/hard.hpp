@@ -391,7 +391,8 @@ inline const auto& clip_families() {
          }},
         {"through_the_eye", true,
          [](R r, T t) {
-             const double k = r.between(0.2, 3);
+             const double k =
+                 r.coin() ? pipeline::exp2(static_cast<double>(r.integer(-2, 2))) : r.between(0.2, 3);
              for (int i = 0; i < 4; ++i) t[1][std::size_t(i)] = -k * t[0][std::size_t(i)];
          }},
         {"denormal_coordinates", true,
