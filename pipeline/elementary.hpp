@@ -4,6 +4,7 @@
 // a pixel. These use only + - * / and exact scalings, so they give the same bits everywhere. Their errors
 // stand in the accuracy table. Angles are in degrees, because then a quarter turn is exact.
 #pragma once
+#include <bit>
 #include <cmath>
 
 #include "pipeline/scalar.hpp"
@@ -33,24 +34,24 @@ double exp2(double x);
 // 2 n ulp). Any other n: exp2(n log2(x)) in double, rounded once; x > 1, a rounding accident, then counts
 // as 1.
 
-// The same with the decision about n taken once, outside the loop over pixels.
+// The same with what depends on n alone taken out of the loop over pixels.
 struct Exponent {
     Scalar value;
     int integer;  // 1..128, or 0 for any other exponent
+    int highest;  // the highest bit of `integer`
 };
 inline Exponent exponent(Scalar n) {
     const bool small_integer = n >= 1 && n <= 128 && static_cast<Scalar>(static_cast<int>(n)) == n;
-    return {n, small_integer ? static_cast<int>(n) : 0};
+    const int integer = small_integer ? static_cast<int>(n) : 0;
+    return {n, integer, static_cast<int>(std::bit_floor(static_cast<unsigned>(integer)))};
 }
 Scalar general_power(Scalar x, Scalar n);
 
 inline Scalar power(Scalar x, Exponent n) {
     if (!(x > 0)) return 0;
     if (n.integer == 0) return general_power(x, n.value);
-    int bit = 1;
-    while (bit * 2 <= n.integer) bit *= 2;
     Scalar result = x;
-    for (bit /= 2; bit > 0; bit /= 2) {
+    for (int bit = n.highest >> 1; bit > 0; bit >>= 1) {
         result = result * result;
         if (n.integer & bit) result = result * x;
     }

@@ -1,58 +1,46 @@
-// Interpolation over a triangle: weights from the exact edge values, depth, perspective correction
+// Interpolation over a triangle: depth and perspective-correct weights from the exact edge values
 // (Heckbert and Moreton 1991; Blinn 1992; textbook 9.3).
 //
-//   l_i = E_i / area              z = z0 + (l1 (z1 - z0) + l2 (z2 - z0))          linear in the window
-//   q_i = l_i / w_i    s = q0 + (q1 + q2)    b_i = q_i / s    a = a0 + (b1 (a1 - a0) + b2 (a2 - a0))
-// The differences make a constant come out exactly constant, and treat corners 1 and 2 alike.
+//   z = z0 + (E1 g1 + E2 g2)      g_i = (z_i - z0) (1 / area)                     linear in the window
+//   q_i = E_i / w_i    s = q0 + (q1 + q2)    b_i = q_i (1 / s)    a = a0 + (b1 (a1 - a0) + b2 (a2 - a0))
+//
+// Depth and weights are computed in double, where an edge value is exact, and rounded once; float ones would
+// miss the bounds below (their rounded differences alone cost 3 * 2^-24 max |z|). The attributes themselves
+// are Scalar. The differences make a constant come out exactly constant, and treat corners 1 and 2 alike.
 #pragma once
 #include <array>
-#include <cmath>
 
 #include "raster/triangle_edge.hpp"
 
 namespace relevo::raster {
 
-struct Weights {
-    Scalar l0, l1, l2;  // barycentric in the window; each within 1.5 ulp
-};
-
 struct Interpolator {
-    Scalar inverse_area;
-    Scalar z0, dz1, dz2;
-    Scalar rw0, rw1, rw2;  // 1 / w, times a power of two when they are huge or tiny
-    Scalar rw_unit;        // that power's inverse
+    double z0, g1, g2;
+    double rw0, rw1, rw2;  // 1 / w
 };
 
-// Perspective weights do not change when all 1/w are scaled together; a power of two rounds nothing and keeps
-// the sums in range for any w that a float can hold.
 inline Interpolator make_interpolator(const Triangle& t) {
     const auto& [c0, c1, c2] = t.corner;
-    Interpolator i{1 / static_cast<Scalar>(t.area), c0.z, c1.z - c0.z, c2.z - c0.z, c0.rw, c1.rw, c2.rw, 1};
-    const Scalar largest = std::max({c0.rw, c1.rw, c2.rw});
-    if (largest > Scalar(0x1p96) || largest < Scalar(0x1p-96)) {
-        const int e = std::ilogb(largest);
-        i.rw0 = std::ldexp(c0.rw, -e), i.rw1 = std::ldexp(c1.rw, -e), i.rw2 = std::ldexp(c2.rw, -e);
-        i.rw_unit = std::ldexp(Scalar(1), e);
-    }
-    return i;
+    const double z0 = c0.z, inverse_area = 1 / static_cast<double>(t.area);
+    return {z0, (c1.z - z0) * inverse_area, (c2.z - z0) * inverse_area, c0.rw, c1.rw, c2.rw};
 }
 
-inline Weights weights(const Interpolator& i, const EdgeValues& e) {
-    return {static_cast<Scalar>(e.e0) * i.inverse_area, static_cast<Scalar>(e.e1) * i.inverse_area,
-            static_cast<Scalar>(e.e2) * i.inverse_area};
+// Error against the plane through the snapped corners: at most 2^-23 max |z_i| (half of it is the final
+// rounding).
+inline Scalar depth(const Interpolator& i, const EdgeValues& e) {
+    return static_cast<Scalar>(i.z0 + (static_cast<double>(e.e1) * i.g1 + static_cast<double>(e.e2) * i.g2));
 }
-
-// Error against the plane through the snapped corners: at most 2^-23 max |z_i|.
-inline Scalar depth(const Interpolator& i, Scalar l1, Scalar l2) { return i.z0 + (l1 * i.dz1 + l2 * i.dz2); }
 
 struct PerspectiveWeights {
     Scalar b1, b2;
-    Scalar s;  // 1/w of the pixel, in units of rw_unit
+    double s;  // area / w of the pixel
 };
-inline PerspectiveWeights perspective_weights(const Interpolator& i, const Weights& l) {
-    const Scalar q0 = l.l0 * i.rw0, q1 = l.l1 * i.rw1, q2 = l.l2 * i.rw2;
-    const Scalar s = q0 + (q1 + q2), r = 1 / s;
-    return {q1 * r, q2 * r, s};
+// |a - exact| <= (8 max |a_i| + 2 |a|) 2^-24 for every attribute, at any ratio of the corners' w.
+inline PerspectiveWeights perspective_weights(const Interpolator& i, const EdgeValues& e) {
+    const double q0 = static_cast<double>(e.e0) * i.rw0, q1 = static_cast<double>(e.e1) * i.rw1,
+                 q2 = static_cast<double>(e.e2) * i.rw2;
+    const double s = q0 + (q1 + q2), r = 1 / s;
+    return {static_cast<Scalar>(q1 * r), static_cast<Scalar>(q2 * r), s};
 }
 
 // The numbers that the corners carry, as a value at corner 0 and two differences.

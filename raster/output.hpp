@@ -26,8 +26,9 @@ extern const float srgb_thresholds[256];
 
 // Not-a-number is written as 0, infinities as 0 and 255.
 inline std::uint8_t to_raw8(Scalar c) {
-    const Scalar clamped = c > 0 ? (c < 1 ? c : Scalar(1)) : Scalar(0);
-    return static_cast<std::uint8_t>(clamped * Scalar(255) + Scalar(0.5));
+    const Scalar positive = c > 0 ? c : Scalar(0);
+    const Scalar clamped = positive < 1 ? positive : Scalar(1);
+    return static_cast<std::uint8_t>(static_cast<int>(clamped * Scalar(255) + Scalar(0.5)));
 }
 std::uint8_t to_srgb8(Scalar c);
 

@@ -52,19 +52,20 @@ inline Scalar repeat(Scalar u) {
     return f >= 0 ? f : 0;
 }
 
-// A texel number at most one texture beyond either end, brought back into it.
-constexpr int wrap(int texel, int size) { return texel < 0 ? texel + size : texel >= size ? texel - size : texel; }
-
 inline TexelPosition texel_position(Scalar u, int size) {
     const int t = static_cast<int>(repeat(u) * static_cast<Scalar>(256 * size) + Scalar(0.5)) - 128;
     const int texel = t >> 8;
-    return {wrap(texel, size), wrap(texel + 1, size), static_cast<std::uint32_t>(t & 255)};
+    const int low = texel < 0 ? size - 1 : texel;
+    return {low, low + 1 == size ? 0 : low + 1, static_cast<std::uint32_t>(t & 255)};
 }
 
 inline LinearRgb sample_nearest(const Texture& texture, Vec2 uv) {
-    const int x = wrap(static_cast<int>(repeat(uv.x) * static_cast<Scalar>(texture.width)), texture.width);
-    const int y = wrap(static_cast<int>(repeat(uv.y) * static_cast<Scalar>(texture.height)), texture.height);
-    const auto& t = texture.texels[std::size_t(y) * std::size_t(texture.width) + std::size_t(x)];
+    const auto texel = [](Scalar u, int size) {
+        const int t = static_cast<int>(repeat(u) * static_cast<Scalar>(size));
+        return std::size_t(t == size ? 0 : t);
+    };
+    const std::size_t x = texel(uv.x, texture.width), y = texel(uv.y, texture.height);
+    const auto& t = texture.texels[y * std::size_t(texture.width) + x];
     return {static_cast<Scalar>(t[0]) * texture.unit, static_cast<Scalar>(t[1]) * texture.unit,
             static_cast<Scalar>(t[2]) * texture.unit};
 }
@@ -78,12 +79,12 @@ inline LinearRgb sample_bilinear(const Texture& texture, Vec2 uv) {
     const auto &t00 = low_row[x.low], &t10 = low_row[x.high], &t01 = high_row[x.low], &t11 = high_row[x.high];
     const std::uint32_t w11 = x.weight * y.weight, w10 = (x.weight << 8) - w11, w01 = (y.weight << 8) - w11,
                         w00 = 65536 - w10 - w01 - w11;
+    std::array<std::uint32_t, 4> sum;
+    for (std::size_t c = 0; c < 4; ++c)
+        sum[c] = (w00 * t00[c] + w10 * t10[c]) + (w01 * t01[c] + w11 * t11[c]);
     const Scalar unit = texture.unit * Scalar(1.0 / 65536);
-    const auto channel = [&](int c) {
-        const std::uint32_t sum = (w00 * t00[c] + w10 * t10[c]) + (w01 * t01[c] + w11 * t11[c]);
-        return static_cast<Scalar>(sum) * unit;
-    };
-    return {channel(0), channel(1), channel(2)};
+    const auto light = [&](std::uint32_t steps) { return static_cast<Scalar>(std::int64_t{steps}) * unit; };
+    return {light(sum[0]), light(sum[1]), light(sum[2])};
 }
 
 inline LinearRgb sample(const Texture& texture, Filter filter, Vec2 uv) {
