@@ -1,6 +1,7 @@
 // relevo list: what there is, a sentence each.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "samples/io/suggest.hpp"
@@ -108,12 +109,27 @@ void list_knobs() {
     print_knob("cull", scene::culls, standard.cull);
 }
 
+// Columns as wide as their longest entry.
 void list_accuracy() {
-    fmt::print("{:<28}{:<36}{:<32}{:>12} {:<18}{:>12}\n", "approximation", "reference", "domain",
-               "error up to", "", "instructions");
-    for (const scene::AccuracyRow& row : scene::accuracy_table())
-        fmt::print("{:<28}{:<36}{:<32}{:>12.4g} {:<18}{:>12}\n", row.name, row.reference, row.domain,
-                   row.allowed_error, row.unit, row.instructions);
+    const auto width = [](std::string_view title, auto column) {
+        std::size_t widest = title.size();
+        for (const scene::AccuracyRow& row : scene::accuracy_table())
+            widest = std::max(widest, column(row).size());
+        return widest;
+    };
+    using Row = scene::AccuracyRow;
+    const std::size_t name = width("approximation", [](const Row& row) { return row.name; });
+    const std::size_t reference = width("compared with", [](const Row& row) { return row.reference; });
+    const std::size_t domain = width("for", [](const Row& row) { return row.domain; });
+    const std::size_t unit = width("times", [](const Row& row) { return row.unit; });
+    const auto line = [&](auto... columns) {
+        fmt::print("{:<{}}  {:<{}}  {:<{}}  {:>9}  {:<{}}  {:>12}\n", columns...);
+    };
+    line("approximation", name, "compared with", reference, "for", domain, "error <=", "times", unit,
+         "instructions");
+    for (const Row& row : scene::accuracy_table())
+        line(row.name, name, row.reference, reference, row.domain, domain,
+             fmt::format("{:.4g}", row.allowed_error), row.unit, unit, row.instructions);
 }
 
 struct List {
@@ -139,7 +155,8 @@ int list_one(const std::string& what) {
 
 int list(const std::string& what, bool accuracy) {
     if (accuracy && what != "knobs")
-        return refuse(io::FileError{{"relevo list " + what, 0, 0}, "--accuracy goes with knobs"});
+        return refuse(
+            io::FileError{{"relevo list --accuracy", 0, 0}, "accepted: relevo list knobs --accuracy"});
     if (accuracy) return list_accuracy(), done;
     if (!what.empty()) return list_one(what);
     for (const List& each : lists) {
@@ -158,8 +175,8 @@ void add_list(CLI::App& app, int& status) {
     };
     const auto options = std::make_shared<Options>();
     CLI::App* const command = app.add_subcommand("list", "Tell what there is, a sentence each.");
-    command->add_option("what", options->what, "stages, knobs, algorithms, events or formats; default: all.")
-        ->type_name("WHAT");
+    command->add_option("WHAT", options->what, "stages, knobs, algorithms, events or formats; default: all.")
+        ->type_name("");
     command->add_flag("--accuracy", options->accuracy,
                       "With knobs: the table of approximations and their errors.");
     command->footer("Example: relevo list knobs --accuracy");

@@ -82,7 +82,7 @@ int render(const RenderOptions& options) {
 void add_render(CLI::App& app, int& status) {
     const auto options = std::make_shared<RenderOptions>();
     CLI::App* const command = app.add_subcommand("render", "Draw a scene into a PNG file.");
-    command->add_option("scene", options->scene, "The scene file (TOML).")->required()->type_name("SCENE");
+    command->add_option("SCENE", options->scene, "The scene file (TOML).")->required()->type_name("");
     command
         ->add_option("-o,--output", options->output, "The picture; default: the scene's name + .png, here.")
         ->type_name("FILE.png");
