@@ -135,11 +135,15 @@ PanelRow ramp(Rgba8 from, Rgba8 to, std::string low, std::string high) {
 }
 
 std::vector<PanelRow> matrix_rows(const double (&rows)[4][4]) {
+    double largest = 0;
+    for (const auto& row : rows)
+        for (const double value : row) largest = std::max(largest, std::abs(value));
     std::vector<PanelRow> out;
     for (const auto& row : rows) {
         std::string line_of_numbers;
         for (const double value : row) {
-            std::string cell = number(value);
+            std::string cell =
+                number(std::abs(value) < 1e-13 * largest ? 0 : value);  // rounding noise is no number
             if (letters(cell) > 7) cell = fmt::format("{:.1e}", value);
             line_of_numbers +=
                 std::string(static_cast<std::size_t>(std::max(0, 8 - letters(cell))), ' ') + cell;

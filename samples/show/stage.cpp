@@ -21,10 +21,11 @@ std::string triple(glm::dvec3 p) { return number(p.x) + ", " + number(p.y) + ", 
 
 std::string range(double low, double high) { return number(low) + " to " + number(high); }
 
-void say(Canvas canvas, Rect area, const std::string& sentence) {
+void say(Canvas canvas, Rect area, const std::string& sentence, bool low) {
     const std::vector<std::string> lines =
         wrapped(sentence, std::max(8, (area.width - 24) / (2 * letter_cell)));
-    int y = area.y + (area.height - 26 * static_cast<int>(lines.size())) / 2;
+    const int height = 26 * static_cast<int>(lines.size());
+    int y = low ? area.bottom() - height - 8 : area.y + (area.height - height) / 2;
     for (const std::string& part : lines) {
         const int width = text_width(part), x = area.x + (area.width - width) / 2;
         fill(within(canvas, area), {x - 10, y - 7, width + 20, 27}, with_opacity(paper, 225));

@@ -50,8 +50,9 @@ PanelBlock matrix_block(const std::string& title, const glm::dmat4& m);
 std::string triple(glm::dvec3 p);
 // "-1 to 2.5"
 std::string range(double low, double high);
-// A sentence in the middle of the area, for a stage that has nothing to show in this scene.
-void say(Canvas canvas, Rect area, const std::string& sentence);
+// A sentence in the middle of the area (or at its lower end), for a stage that has nothing to show in this
+// scene.
+void say(Canvas canvas, Rect area, const std::string& sentence, bool low = false);
 // An area cut into rows and columns with gaps.
 Rect cell(Rect area, int column, int columns, int row, int rows, int gap = 12);
 

@@ -83,7 +83,10 @@ void draw_volume(Canvas canvas, Rect area, const View& view, const Capture& capt
     label(canvas, {at(1, text_at).x + 10, at(1, text_at).y}, name + " = " + w, green);
     const std::string near_name = flat.parallel ? (capture.reversed_depth() ? "far, z = 0" : "near, z = 0")
                                                 : "near plane, w = " + number(near);
-    label(canvas, {at(0, low).x, at(0, low).y + 20}, near_name, green, Align::Middle);
+    if (flat.parallel)
+        label(canvas, {at(0, low).x, at(0, low).y + 20}, near_name, green, Align::Middle);
+    else
+        label(canvas, {at(1, low).x + 34, at(1, low).y - 12}, near_name, green);
     if (flat.parallel)
         label(canvas, {at(0, high).x, at(0, high).y - 18},
               capture.reversed_depth() ? "near, z = 1" : "far, z = 1", green, Align::Middle);
@@ -219,7 +222,7 @@ StagePage draw_clipped(const Capture& capture, const Heading& heading) {
         "Legend",
         {sample(Kind::Line, inside_color, "kept as it is"), sample(Kind::Line, crossing_color, "cut"),
          sample(Kind::Dashes, haze, "what was cut away"), sample(Kind::Dot, ink, "new corner on a plane"),
-         sample(Kind::Line, green, "edge of the picture: x, y = ±1")}};
+         sample(Kind::Line, green, "x, y = ±1: picture's edge")}};
     const PanelBlock note{
         "How",
         {quiet("Polygon after polygon, plane after plane (Sutherland and Hodgman 1974), before the division "
@@ -277,8 +280,8 @@ View ndc_view(bool reversed, double stretch) {
 
 void draw_ndc_box(Canvas canvas, Rect area, const View& unfitted, const Box& box,
                   const std::vector<ClippedPiece>& pieces, const std::string& title) {
-    const View view = fitted(unfitted, box, area, 70);
-    draw_axes(canvas, view, box, 60);
+    const View view = fitted(unfitted, box, area, 48);
+    draw_axes(canvas, view, box, 46);
     for (const bool cut : {false, true}) {
         const std::vector<Segment> wire = piece_wire(pieces, cut);
         draw_wire(canvas, view, wire, wire_stroke(view, wire, area, cut ? crossing_color : inside_color));

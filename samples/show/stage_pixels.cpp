@@ -219,7 +219,7 @@ StagePage draw_attributes(const Capture& capture, const Heading& heading) {
     const PanelBlock normals{"Normals in eye space",
                              {sample(Kind::Square, {255, 128, 128}, "x: right", r.normal[0].text()),
                               sample(Kind::Square, {128, 255, 128}, "y: up", r.normal[1].text()),
-                              sample(Kind::Square, {128, 128, 255}, "z: to the eye", r.normal[2].text())}};
+                              sample(Kind::Square, {128, 128, 255}, "z: nearer", r.normal[2].text())}};
     PanelBlock uv{"Texture coordinates", {}};
     if (r.textured > 0)
         uv.rows = {sample(Kind::Square, {255, 38, 102}, "u", r.u.text()),
@@ -268,7 +268,7 @@ StagePage draw_attributes(const Capture& capture, const Heading& heading) {
         if (r.inv_w.empty)
             say(canvas, rect, "no pixel is covered");
         else if (i == 2 && r.textured == 0)
-            say(canvas, rect, "no texture in this scene");
+            say(canvas, rect, "no texture in this scene", true);
     }
     std::vector<Count> counts{{"covered_pixels", visible_pixels(capture)}, {"textured_pixels", r.textured}};
     if (!r.inv_w.empty)
@@ -379,7 +379,7 @@ StagePage draw_texture(const Capture& capture, const Heading& heading) {
                                             : "The texel at the place is taken as it is.")}};
     StagePage stage = draw_shading(capture, heading, raster::Shading::Unlit, {textures, filter});
     if (textured == 0 && visible_pixels(capture) > 0)
-        say(canvas_of(stage.picture), stage.pixels, "no texture in this scene");
+        say(canvas_of(stage.picture), stage.pixels, "no texture in this scene", true);
     stage.counts.push_back({"textured_models", textured});
     return stage;
 }

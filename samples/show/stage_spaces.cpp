@@ -65,7 +65,7 @@ void draw_model(Canvas canvas, Rect area, const Capture& capture, std::size_t m,
     const std::vector<glm::dvec3> positions = object_positions(capture.model(m));
     const Box box = box_of(positions);
     if (box.empty || capture.model(m).mesh->triangles() == 0) return say(canvas, area, "no triangles");
-    const View view = fitted(oblique_view(), box, area, large ? 110 : 70);
+    const View view = fitted(oblique_view(), box, area, large ? 88 : 66);
     raster::Model alone = capture.model(m);
     alone.world_from_object = {};
     const Solid solid = draw_solid(view, area, std::span(&alone, 1));
@@ -73,7 +73,7 @@ void draw_model(Canvas canvas, Rect area, const Capture& capture, std::size_t m,
     const std::vector<Segment> wire = mesh_edges(*alone.mesh, positions);
     const Stroke stroke = wire_stroke(view, wire, area, ink);
     draw_wire(canvas, view, solid, wire, stroke, hidden_stroke(stroke));
-    draw_axes(canvas, view, box, large ? 60 : 80);
+    draw_axes(canvas, view, box, large ? 46 : 60);
     const Spot origin = view.spot({0, 0, 0});
     ring(canvas, origin, 5, {ink, 2});
     label(canvas, {origin.x + 12, origin.y}, "origin", ink);
@@ -184,7 +184,9 @@ void draw_camera(Canvas canvas, const View& view, const CameraSymbol& symbol, bo
     const Spot eye = view.spot(
         parallel ? 0.25 * (symbol.near[0] + symbol.near[1] + symbol.near[2] + symbol.near[3]) : symbol.eye);
     disc(canvas, eye, 5, purple);
-    label(canvas, {eye.x + 14, eye.y + 18}, "camera", purple);
+    const bool leftmost = eye.x < view.spot(symbol.sight[0]).x;
+    label(canvas, {eye.x + (leftmost ? -14 : 14), eye.y + 22}, "camera", purple,
+          leftmost ? Align::Middle : Align::Left);
 }
 
 void draw_ground(Canvas canvas, const View& view, const Box& box, double y) {
@@ -257,22 +259,24 @@ StagePage draw_world(const Capture& capture, const Heading& heading) {
     const Rect area = inset(page.area, 2);
     const Canvas canvas = within(canvas_of(page.picture), area);
 
-    Box all = box;
     CameraSymbol symbol = camera_symbol(capture, 1);
-    all.add(symbol.eye);
-    for (const glm::dvec3 p : symbol.sight) all.add(p);
-    symbol = camera_symbol(capture, 0.08 * all.longest());
-    // Lights far outside stay out of the picture; an arrow at its edge would tell no more than the panel
-    // does.
-    const double limit = 1.5 * all.longest();
-    Box with_lights = all;
-    for (const pipeline::Light& light : capture.scene().lights) {
-        const glm::dvec3 p(light.position.v), middle = all.low + 0.5 * all.size();
-        const bool close =
-            std::max({std::abs(p.x - middle.x), std::abs(p.y - middle.y), std::abs(p.z - middle.z)}) < limit;
-        if (light.kind == pipeline::Light::Kind::Point && close) with_lights.add(p);
+    std::vector<glm::dvec3> points(symbol.sight.begin(), symbol.sight.end());
+    points.push_back(symbol.eye);
+    for (const raster::Model& model : models) {
+        const Box one = box_of(world_positions(model));
+        for (int i = 0; i < 8; ++i) points.push_back(one.corner(i));
     }
-    const View view = fitted(oblique_view(), with_lights, area, 60);
+    const Box all = box_of(points);
+    symbol = camera_symbol(capture, 0.08 * all.longest());
+    // Lights far outside stay out of the picture; the panel tells where they are.
+    for (const pipeline::Light& light : capture.scene().lights) {
+        const glm::dvec3 p(light.position.v), away = p - (all.low + 0.5 * all.size());
+        const bool close =
+            std::max({std::abs(away.x), std::abs(away.y), std::abs(away.z)}) < 1.5 * all.longest();
+        if (light.kind == pipeline::Light::Kind::Point && close) points.push_back(p);
+    }
+    const glm::dmat4 world_from_eye = glm::inverse(capture.scene().camera.eye_from_world.m);
+    const View view = fitted(view_across(glm::dvec3(world_from_eye[2])), points, area, 60);
     const double ground = box.empty ? 0 : box.low.y;
     draw_ground(canvas, view, all, ground);
     const Solid solid = draw_solid(view, area, models);
@@ -351,7 +355,7 @@ void draw_eye_view(Canvas canvas, Rect area, const Capture& capture, const Box& 
     }
     const Spot eye = view.spot({0, 0, 0});
     disc(canvas, eye, 6, purple);
-    label(canvas, {eye.x, eye.y + 24}, "eye", purple, Align::Middle);
+    label(canvas, {eye.x + 12, eye.y + 18}, "eye", purple);
     label(canvas, {area.x + 12.0, area.y + 18.0}, side ? "from the side (z, y)" : "from above (x, z)", ink);
 }
 

@@ -182,14 +182,23 @@ StagePage draw_culled(const Capture& capture, const Heading& heading) {
     Page page = diagram_page(heading, {sides, result, how});
     const Canvas canvas = canvas_of(page.picture);
     const Rect area = inset(page.area, 2);
-    fill(canvas, area, mist);
-    View view = window_view(capture, inset(area, 16));
-    draw_window_frame(within(canvas, area), capture, view);
     const std::vector<Segment> dropped = face_wire(capture, true), stays = face_wire(capture, false);
-    Stroke dropped_stroke = wire_stroke(view, dropped, area, vermilion);
-    dropped_stroke.dash = 5;
-    draw_wire(within(canvas, area), view, dropped, dropped_stroke);
-    draw_wire(within(canvas, area), view, stays, wire_stroke(view, stays, area, blue));
+    // Few triangles: all in one drawing. Many: one drawing each, or nobody could tell them apart.
+    const bool apart = kept > 0 && culled > 0 && front + back > 400;
+    for (int i = 0; i < (apart ? 2 : 1); ++i) {
+        const Rect part = apart ? cell(area, 0, 1, i, 2, 4) : area;
+        const Canvas inside = within(canvas, part);
+        fill(inside, part, mist);
+        View view = window_view(capture, inset(part, 16));
+        draw_window_frame(inside, capture, view);
+        Stroke dropped_stroke = wire_stroke(view, dropped, part, vermilion);
+        dropped_stroke.dash = 5;
+        if (!apart || i == 1) draw_wire(inside, view, dropped, dropped_stroke);
+        if (!apart || i == 0) draw_wire(inside, view, stays, wire_stroke(view, stays, part, blue));
+        if (apart)
+            label(inside, {part.x + 12.0, part.y + 20.0}, i == 0 ? "kept" : "culled",
+                  i == 0 ? blue : vermilion);
+    }
     if (front + back == 0) say(canvas, area, "no triangle reaches the window");
     if (front + back > 0 && kept == 0) say(canvas, area, "every triangle is culled: the picture stays empty");
     return {

@@ -30,9 +30,24 @@ Spot View::spot(glm::dvec3 p) const {
 }
 double View::depth(glm::dvec3 p) const { return dot(p - center, toward); }
 
-View oblique_view() {
-    const glm::dvec3 toward = unit({0.50, 0.42, 0.80}), right = unit(cross({0, 1, 0}, toward));
+namespace {
+
+View view_from(glm::dvec3 toward) {
+    toward = unit(toward);
+    const glm::dvec3 right = unit(cross({0, 1, 0}, toward));
     return {right, cross(toward, right), toward, {0, 0, 0}, {}, 1};
+}
+
+}  // namespace
+
+View oblique_view() { return view_from({0.50, 0.42, 0.80}); }
+
+View view_across(glm::dvec3 direction) {
+    constexpr std::array<glm::dvec3, 4> places{
+        {{0.50, 0.42, 0.80}, {-0.50, 0.42, 0.80}, {0.85, 0.42, 0.35}, {-0.85, 0.42, 0.35}}};
+    const auto along = [&](glm::dvec3 place) { return std::abs(dot(place, direction)); };
+    return view_from(*std::min_element(places.begin(), places.end(),
+                                       [&](auto& a, auto& b) { return along(a) < along(b); }));
 }
 View side_view() { return {{0, 0, -1}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {}, 1}; }
 View top_view() { return {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}, {0, 0, 0}, {}, 1}; }
@@ -55,18 +70,23 @@ glm::dvec3 Box::corner(int number) const {
 }
 
 View fitted(View view, const Box& box, Rect area, int margin) {
-    double left = 0, right = 0, bottom = 0, top = 0;
-    view.center = box.low + 0.5 * box.size();
-    for (int i = 0; i < 8; ++i) {
-        const glm::dvec3 d = box.corner(i) - view.center;
-        left = std::min(left, dot(d, view.right)), right = std::max(right, dot(d, view.right));
-        bottom = std::min(bottom, dot(d, view.up)), top = std::max(top, dot(d, view.up));
-    }
-    const double width = std::max(right - left, 1e-30), height = std::max(top - bottom, 1e-30);
+    std::array<glm::dvec3, 8> corners;
+    for (int i = 0; i < 8; ++i) corners[std::size_t(i)] = box.corner(i);
+    return fitted(view, corners, area, margin);
+}
+
+View fitted(View view, std::span<const glm::dvec3> points, Rect area, int margin) {
+    Box all, flat;
+    for (const glm::dvec3 p : points) all.add(p);
+    view.center = all.low + 0.5 * all.size();
+    for (const glm::dvec3 p : points)
+        flat.add({dot(p - view.center, view.right), dot(p - view.center, view.up), 0});
+    const double width = std::max(flat.size().x, 1e-30), height = std::max(flat.size().y, 1e-30);
     view.scale = std::min(std::max(area.width - 2 * margin, 1) / width,
                           std::max(area.height - 2 * margin, 1) / height);
     if (!std::isfinite(view.scale) || view.scale > 1e12) view.scale = 1;
-    view.middle = {area.x + area.width / 2.0, area.y + area.height / 2.0};
+    view.middle = {area.x + area.width / 2.0 - view.scale * (flat.low.x + flat.high.x) / 2,
+                   area.y + area.height / 2.0 + view.scale * (flat.low.y + flat.high.y) / 2};
     return view;
 }
 
@@ -83,16 +103,22 @@ std::vector<Segment> unique_segments(std::vector<Segment> segments) {
 }
 
 std::vector<Segment> mesh_edges(const pipeline::Mesh& mesh, std::span<const glm::dvec3> positions) {
-    std::vector<Segment> edges;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
     edges.reserve(mesh.indices.size());
-    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
-        const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
-        edges.push_back({positions[mesh.indices[i]], positions[mesh.indices[next]]});
-    }
-    return unique_segments(std::move(edges));
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i)
+        edges.push_back(std::minmax({mesh.indices[i], mesh.indices[i % 3 == 2 ? i - 2 : i + 1]}));
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    std::vector<Segment> segments;
+    for (const auto& [a, b] : edges)
+        if (finite(positions[a]) && finite(positions[b])) segments.push_back({positions[a], positions[b]});
+    return segments;
 }
 
+// The lines of a wire would fill `ink` of the area that they span. Up to a seventh they are drawn in full;
+// then they become thinner, and from one half on translucent.
 Stroke wire_stroke(const View& view, std::span<const Segment> wire, Rect area, Rgba8 color) {
+    constexpr double widest = 1.75, thinnest = 0.5, sparse = 0.15, dense = 0.5;
     double length = 0;
     Box box;
     for (const Segment& s : wire) {
@@ -102,13 +128,11 @@ Stroke wire_stroke(const View& view, std::span<const Segment> wire, Rect area, R
         length += (t1 - t0) * std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
         for (const double t : {t0, t1}) box.add({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), 0});
     }
-    // How much of the box the lines would fill: up to a tenth they are drawn in full.
-    const double filled =
-        box.empty || length == 0 ? 0 : 1.5 * length / std::max(box.size().x * box.size().y, length);
-    if (filled <= 0.1) return {color, 1.75};
-    const double opacity = std::clamp(0.1 / filled, 0.06, 1.0);
-    return {with_opacity(color, static_cast<std::uint8_t>(60 + 195 * opacity)),
-            std::clamp(1.75 * opacity * 2, 0.5, 1.5)};
+    if (!(length > 0)) return {color, widest};
+    const double layers = length / std::max(box.size().x * box.size().y, length);
+    const double width = std::clamp(sparse / layers, thinnest, widest), ink_of_wire = width * layers;
+    const double opacity = std::clamp(dense / ink_of_wire, 0.04, 1.0);
+    return {with_opacity(color, static_cast<std::uint8_t>(255 * opacity + 0.5)), width};
 }
 
 void draw_wire(Canvas canvas, const View& view, std::span<const Segment> wire, Stroke stroke) {
@@ -289,21 +313,23 @@ void draw_flat_axes(Canvas canvas, const View& view, Rect area, int horizontal, 
         const double y = view.middle.y - view.scale * rise * (value - view.center[vertical]);
         line(inside, {double(area.x), y}, {double(area.right()), y}, rule_of(value));
     });
+    const std::string right_name =
+        (run < 0 ? "← " : "") + std::string(names[std::size_t(horizontal)]) + (run < 0 ? "" : " →");
+    const std::string left_name = names[std::size_t(vertical)] + std::string(rise < 0 ? " ↓" : " ↑");
     for_each_tick(low_x, high_x, step, [&](double value) {
         const double x = view.middle.x + view.scale * run * (value - view.center[horizontal]);
-        if (x > area.x + 70 && x < area.right() - 50)
+        const int half = text_width(tick_text(value, step)) / 2 + 14;
+        if (x - half > area.x + 8 + text_width(left_name) &&
+            x + half < area.right() - 6 - text_width(right_name))
             label(inside, {x, area.bottom() - 14.0}, tick_text(value, step), muted, Align::Middle);
     });
     for_each_tick(low_y, high_y, step, [&](double value) {
         const double y = view.middle.y - view.scale * rise * (value - view.center[vertical]);
-        if (y > area.y + 14 && y < area.bottom() - 44)
+        if (y > area.y + 44 && y < area.bottom() - 44)
             label(inside, {area.x + 8.0, y}, tick_text(value, step), muted);
     });
-    const std::string sign_x = run < 0 ? "← " : "", sign_x_end = run < 0 ? "" : " →";
-    label(inside, {area.right() - 6.0, area.bottom() - 14.0},
-          sign_x + names[std::size_t(horizontal)] + sign_x_end, ink, Align::Right);
-    label(inside, {area.x + 8.0, area.bottom() - 14.0},
-          std::string(names[std::size_t(vertical)]) + (rise < 0 ? " ↓" : " ↑"), ink);
+    label(inside, {area.right() - 6.0, area.bottom() - 14.0}, right_name, ink, Align::Right);
+    label(inside, {area.x + 8.0, area.bottom() - 14.0}, left_name, ink);
 }
 
 void draw_frame(Canvas canvas, const View& view, glm::dvec3 origin, double length) {

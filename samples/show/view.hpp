@@ -22,9 +22,11 @@ struct View {
     double depth(glm::dvec3 p) const;  // larger is nearer
 };
 View oblique_view();  // from the front, the right and above
-View side_view();     // from +x: -z runs to the right, y up
-View top_view();      // from +y: x runs to the right, -z up
-View front_view();    // from +z: x runs to the right, y up
+// Obliquely from above, and as much as possible from the side of this direction.
+View view_across(glm::dvec3 direction);
+View side_view();   // from +x: -z runs to the right, y up
+View top_view();    // from +y: x runs to the right, -z up
+View front_view();  // from +z: x runs to the right, y up
 
 struct Box {
     glm::dvec3 low{0, 0, 0}, high{0, 0, 0};
@@ -37,8 +39,9 @@ struct Box {
     glm::dvec3 corner(int number) const;  // bits 0, 1, 2 choose high x, y, z
 };
 
-// The view moved and scaled so that the box fills the area, less a margin in pixels.
+// The view moved and scaled so that the box (the points) fills the area, less a margin in pixels.
 View fitted(View view, const Box& box, Rect area, int margin);
+View fitted(View view, std::span<const glm::dvec3> points, Rect area, int margin);
 
 struct Segment {
     glm::dvec3 a, b;
