@@ -25,9 +25,9 @@ FileResult<std::array<Scalar, 3>> read_color(const std::string& file, Words& wor
                             fmt::format("a number is missing: {} needs red, green and blue", keyword.text));
         const auto number = parse_float(word.text);
         if (!number || *number < 0)
-            return error_at(
-                file, word,
-                fmt::format("{} is no colour channel, a number from 0 to 1 is accepted", quoted(word.text)));
+            return error_at(file, word,
+                            fmt::format("{} is no colour channel, a number from 0 to 1 is accepted",
+                                        in_quotes(word.text)));
         color[i] = std::min(Scalar(*number), Scalar(1));
     }
     return color;
@@ -49,7 +49,7 @@ Failure read_shininess(const std::string& file, Words& words, pipeline::Material
     const auto number = parse_float(word.text);
     if (!number || *number < 0)
         return error_at(file, word,
-                        fmt::format("{} is no exponent, Ns takes a number from 0 up", quoted(word.text)));
+                        fmt::format("{} is no exponent, Ns takes a number from 0 up", in_quotes(word.text)));
     material.shininess = *number;
     return std::nullopt;
 }
@@ -74,7 +74,7 @@ Failure read_statement(const std::string& file, Words& words, std::vector<ObjMat
     const bool is_color = keyword.text == "Ka" || keyword.text == "Kd" || keyword.text == "Ks";
     if (!is_color && keyword.text != "Ns" && keyword.text != "map_Kd") return std::nullopt;
     if (materials.empty())
-        return error_at(file, keyword, fmt::format("{} before the first newmtl", quoted(keyword.text)));
+        return error_at(file, keyword, fmt::format("{} before the first newmtl", in_quotes(keyword.text)));
     if (keyword.text == "Ns") return read_shininess(file, words, materials.back().material);
     if (keyword.text == "map_Kd") return read_texture(file, words, materials.back());
     const auto color = read_color(file, words, keyword);

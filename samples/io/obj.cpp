@@ -45,7 +45,7 @@ Failure read_numbers(const std::string& file, Words& words, std::string_view key
     for (Word word = words.in_line(); !word.text.empty(); word = words.in_line(), ++count) {
         const auto number = parse_float(word.text);
         if (!number)
-            return error_at(file, word, fmt::format("{} is no finite float32 number", quoted(word.text)));
+            return error_at(file, word, fmt::format("{} is no finite float32 number", in_quotes(word.text)));
         if (count < out.size()) out[count] = *number;
     }
     if (count >= out.size()) return std::nullopt;
@@ -119,7 +119,8 @@ FileResult<std::int32_t> read_index(const Reading& reading, const Word& word, st
     };
     const auto index = parse_integer(text);
     if (!index)
-        return wrong(fmt::format("{} is no corner, accepted are v, v/t, v//n and v/t/n", quoted(word.text)));
+        return wrong(
+            fmt::format("{} is no corner, accepted are v, v/t, v//n and v/t/n", in_quotes(word.text)));
     if (*index == 0)
         return wrong(fmt::format("{} index 0: indices count from 1, or back from -1", one[kind]));
     const std::size_t sizes[] = {reading.lists.positions.size(), reading.lists.uvs.size(),
@@ -228,7 +229,7 @@ Failure read_name(Reading& reading, std::string_view keyword) {
 
 Failure refuse_statement(const Reading& reading, const Word& keyword) {
     return error_at(reading.file, keyword,
-                    fmt::format("{} is no statement of OBJ{}", quoted(keyword.text),
+                    fmt::format("{} is no statement of OBJ{}", in_quotes(keyword.text),
                                 suggestion(keyword.text, drawn_statements)));
 }
 
@@ -256,7 +257,7 @@ FileResult<std::optional<ObjMaterial>> find_material(const Reading& reading, con
         known.push_back(material.name);
     }
     return error_at(reading.file, part.first_use,
-                    fmt::format("there is no material {} in the material file{}", quoted(part.material),
+                    fmt::format("there is no material {} in the material file{}", in_quotes(part.material),
                                 suggestion(part.material, known)));
 }
 
@@ -295,10 +296,13 @@ FileResult<std::vector<ObjPart>> finished(Reading& reading) {
 
 FileResult<std::vector<ObjPart>> read_obj(const std::string& path) {
     const auto text = read_text(path);
-    if (!text) return text.error();
-    const auto lists = read_lists(path, *text);
+    return text ? parse_obj(*text, path) : text.error();
+}
+
+FileResult<std::vector<ObjPart>> parse_obj(std::string_view text, const std::string& path) {
+    const auto lists = read_lists(path, text);
     if (!lists) return lists.error();
-    Reading reading{path, *lists, Words(*text)};
+    Reading reading{path, *lists, Words(text)};
     do {
         if (const Failure failure = read_statement(reading)) return *failure;
     } while (reading.words.next_line());

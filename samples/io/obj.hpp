@@ -4,6 +4,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/light.hpp"
@@ -26,8 +27,9 @@ struct ObjPart {
     bool had_normals = false, had_uv = false;  // true when every corner of the part had its own
 };
 
-// Reads the statements v vt vn f o g usemtl mtllib. Statements of OBJ that draw no faces (l, p, s, curves...)
-// are skipped; a word that is no statement is an error. The parts come in the order of their first faces.
+// Reads a file with the statements v vt vn f o g usemtl mtllib. Statements of OBJ that draw no faces (l, p,
+// s, curves...) are skipped; a word that is no statement is an error. The parts come in the order of their
+// first faces.
 //
 // Polygons are cut into fans from their first corner. Equal corners (same v, t and n) are one vertex,
 // numbered by first use. A corner without a normal gets the average over the faces without normals that share
@@ -37,5 +39,8 @@ struct ObjPart {
 // list, a face of fewer than 3 corners, an unknown statement, material or material file; and a file that is
 // missing, empty, binary, larger than max_text_file, or without faces. Faces without area are legal.
 FileResult<std::vector<ObjPart>> read_obj(const std::string& path);
+
+// The same for a text in memory; `path` names it in errors and says where its material files lie.
+FileResult<std::vector<ObjPart>> parse_obj(std::string_view text, const std::string& path);
 
 }  // namespace relevo::io

@@ -115,6 +115,17 @@ std::vector<std::uint8_t> to_8_bits(const std::vector<Number>& samples, std::siz
     return out;
 }
 
+// The numbers as float; `copy` holds them when the library computes in double.
+template <class Number>
+const float* float_rows(const std::vector<Number>& numbers, std::vector<float>& copy) {
+    if constexpr (std::is_same_v<Number, float>) {
+        return numbers.data();
+    } else {
+        copy.assign(numbers.begin(), numbers.end());
+        return copy.data();
+    }
+}
+
 }  // namespace
 
 FileResult<Pixels> read_pixels(const std::string& path) {
@@ -181,10 +192,8 @@ Failure write_exr(const std::string& path, const raster::Image<Scalar>& image) {
     const auto write = [&](const float* rows) {
         return (*encode)(image.width(), image.height(), rows, take, &target, message, sizeof message) == 0;
     };
-    const auto written = [&] {
-        if constexpr (std::is_same_v<Scalar, float>) return write(image.pixels().data());
-        return write(std::vector<float>(image.pixels().begin(), image.pixels().end()).data());
-    }();
+    std::vector<float> copy;
+    const bool written = write(float_rows(image.pixels(), copy));
     if (!written) return error_in(path, fmt::format("cannot be written: {}", message));
     return target.failure;
 }

@@ -22,7 +22,11 @@ struct FileError {
         std::string out = place.file;
         if (place.line > 0) out.append(":").append(std::to_string(place.line));
         if (place.line > 0 && place.column > 0) out.append(":").append(std::to_string(place.column));
-        return out.append(": ").append(message);
+        out.append(": ").append(message);
+        // One line, whatever strange names are in it.
+        for (char& c : out)
+            if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+        return out;
     }
 };
 

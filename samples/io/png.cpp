@@ -7,16 +7,11 @@
 
 #include "samples/io/file.hpp"
 
-// The encoder of Debian's libstb-dev, compiled here and nowhere else; its warnings are not ours.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wall"
-#pragma GCC diagnostic ignored "-Wextra"
-#pragma GCC diagnostic ignored "-Wpedantic"
+// The encoder of Debian's libstb-dev, compiled here and nowhere else.
 #define STBI_WRITE_NO_STDIO
 #define STB_IMAGE_WRITE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #include <stb/stb_image_write.h>
-#pragma GCC diagnostic pop
 
 namespace relevo::io {
 namespace {

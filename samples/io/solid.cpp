@@ -34,8 +34,8 @@ FileResult<std::size_t> read_count(Reading& reading, const Word& word, std::stri
     const auto wrong = [&](std::string message) { return error_at(reading.file, word, std::move(message)); };
     const auto count = parse_integer(word.text);
     if (!count || *count < 0)
-        return wrong(fmt::format("{} is no number of {}, an integer from 0 up is accepted", quoted(word.text),
-                                 things));
+        return wrong(fmt::format("{} is no number of {}, an integer from 0 up is accepted",
+                                 in_quotes(word.text), things));
     const std::size_t remaining = reading.words.remaining();
     // The last element may end without a blank.
     if (static_cast<std::uint64_t>(*count) > (remaining + 1) / least_bytes)
@@ -49,7 +49,8 @@ FileResult<float> read_number(Reading& reading) {
     if (word.text.empty()) return error_at(reading.file, word, "the file ends where a coordinate is needed");
     const auto number = parse_float(word.text);
     if (!number)
-        return error_at(reading.file, word, fmt::format("{} is no finite float32 number", quoted(word.text)));
+        return error_at(reading.file, word,
+                        fmt::format("{} is no finite float32 number", in_quotes(word.text)));
     return *number;
 }
 
@@ -75,7 +76,7 @@ FileResult<std::int32_t> index_of(const Reading& reading, const Word& word, std:
         return wrong(fmt::format("the file ends inside a face, where a {} index is needed", kind));
     const auto index = parse_integer(word.text);
     if (!index)
-        return wrong(fmt::format("{} is no {} index, an integer is accepted", quoted(word.text), kind));
+        return wrong(fmt::format("{} is no {} index, an integer is accepted", in_quotes(word.text), kind));
     if (size == 0) return wrong(fmt::format("{} index {}, but that list is empty", kind, *index));
     if (*index < 0 || *index >= static_cast<std::int64_t>(size))
         return wrong(
@@ -138,7 +139,7 @@ FileResult<std::size_t> read_heading(Reading& reading, const Word& word, std::st
         return error_at(reading.file, word, fmt::format("the file ends where '{}' is needed", heading));
     if (word.text != heading)
         return error_at(reading.file, word,
-                        fmt::format("{} where '{}' is needed{}", quoted(word.text), heading,
+                        fmt::format("{} where '{}' is needed{}", in_quotes(word.text), heading,
                                     suggestion(word.text, known)));
     const Word count = reading.words.anywhere();
     if (count.text.empty())
@@ -231,7 +232,7 @@ FileResult<SolidMesh> read_second_format(Reading& reading, const Word& first) {
     }
     if (const Word extra = reading.words.anywhere(); !extra.text.empty())
         return error_at(reading.file, extra,
-                        fmt::format("{} after the last of {} faces", quoted(extra.text), *face_count));
+                        fmt::format("{} after the last of {} faces", in_quotes(extra.text), *face_count));
     make_vertices(*lists, corners.list(), solid.mesh);
     return solid;
 }
@@ -280,8 +281,11 @@ bool is_finite(const pipeline::Vertex& vertex) {
 
 FileResult<SolidMesh> read_solid(const std::string& path) {
     const auto text = read_text(path);
-    if (!text) return text.error();
-    Reading reading{path, Words(*text)};
+    return text ? parse_solid(*text, path) : text.error();
+}
+
+FileResult<SolidMesh> parse_solid(std::string_view text, const std::string& path) {
+    Reading reading{path, Words(text)};
     const Word first = reading.words.anywhere();
     if (first.text.empty()) return error_in(path, "the file holds no words");
     const bool is_number = std::string_view("+-.0123456789").find(first.text[0]) != std::string_view::npos;

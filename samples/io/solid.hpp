@@ -5,6 +5,7 @@
 // 0; the corners run counter-clockwise seen from outside.
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/mesh.hpp"
@@ -29,6 +30,9 @@ struct SolidMesh {
 // something after the last face; and a file that is missing, empty, binary, larger than max_text_file, or
 // without faces.
 FileResult<SolidMesh> read_solid(const std::string& path);
+
+// The same for a text in memory; `path` names it in errors.
+FileResult<SolidMesh> parse_solid(std::string_view text, const std::string& path);
 
 // Writes the second format; equal positions, normals and texture coordinates are written once. Reading the
 // file gives the same triangles with the same numbers. Errors: those of write_file, and numbers that are not

@@ -60,12 +60,7 @@ Word Words::word(std::size_t begin, std::size_t end) const {
 Word Words::in_line() {
     while (at_ < text_.size() && (is_blank(text_[at_]) || skip_continuation()))
         if (at_ < text_.size() && is_blank(text_[at_])) ++at_;
-    if (at_ == text_.size() || text_[at_] == '\n') return word(at_, at_);
-    if (text_[at_] == '#') {
-        const Word end = word(at_, at_);
-        at_ = std::min(text_.find('\n', at_), text_.size());
-        return end;
-    }
+    if (at_ == text_.size() || text_[at_] == '\n' || text_[at_] == '#') return word(at_, at_);
     const std::size_t begin = at_;
     while (at_ < text_.size() && !is_blank(text_[at_]) && text_[at_] != '\n') {
         if (text_[at_] == '\\' && at_ + 1 < text_.size() &&
@@ -87,6 +82,7 @@ Word Words::rest_of_line() {
 bool Words::next_line() {
     while (!in_line().text.empty()) {
     }
+    at_ = std::min(text_.find('\n', at_), text_.size());  // past a comment
     if (at_ == text_.size()) return false;
     line_start_ = ++at_;
     ++line_;
@@ -117,7 +113,7 @@ std::optional<std::int64_t> parse_integer(std::string_view text) {
     return stop == end && status == std::errc() ? std::optional(value) : std::nullopt;
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
     constexpr std::size_t longest = 40;
     std::string out = "'";
     std::size_t at = 0;

@@ -50,7 +50,7 @@ std::optional<std::int64_t> parse_integer(std::string_view text);
 
 // The text in quotes, fit for one line of a message: what is no printable UTF-8 becomes '?', long texts are
 // cut.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 // "file:line:column: message" about a word; `offset` bytes into it.
 FileError error_at(const std::string& file, const Word& word, std::string message, std::size_t offset = 0);

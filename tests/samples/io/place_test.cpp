@@ -14,5 +14,13 @@ TEST(Place, WhatIsUnknownIsLeftOut) {
     EXPECT_EQ((FileError{{"a.obj"}, "broken"}.text()), "a.obj: broken");
 }
 
+TEST(Place, AnErrorIsOneLine) {
+    EXPECT_EQ((FileError{{"a\nb", 1, 2}, "broken\r\n\x7f"}.text()),
+              "a?b:1:2: broken"
+              "?"
+              "?"
+              "?");
+}
+
 }  // namespace
 }  // namespace relevo::io
