@@ -19,7 +19,10 @@ PanelBlock matrix_block(const std::string& title, const glm::dmat4& m) {
 
 std::string triple(glm::dvec3 p) { return number(p.x) + ", " + number(p.y) + ", " + number(p.z); }
 
-std::string range(double low, double high) { return number(low) + " to " + number(high); }
+std::string range(double low, double high) {
+    const double noise = 1e-7 * std::max(std::abs(low), std::abs(high));
+    return number(std::abs(low) < noise ? 0 : low) + " to " + number(std::abs(high) < noise ? 0 : high);
+}
 
 void say(Canvas canvas, Rect area, const std::string& sentence, bool low) {
     const std::vector<std::string> lines =

@@ -1,6 +1,8 @@
 // The pictures of clip space, of clipping, and of normalized device coordinates.
 #include <fmt/format.h>
 
+#include <glm/common.hpp>
+
 #include "samples/show/census.hpp"
 #include "samples/show/numbers.hpp"
 #include "samples/show/stage.hpp"
@@ -53,11 +55,13 @@ Box clip_box(const Capture& capture, ClipView flat) {
         for (const SeenVertex& v : capture.vertices(m)) box.add(flat.place(v.clip));
     if (flat.parallel) box.add({-1.2, 0, 0}), box.add({1.2, 1, 0});
     if (!flat.parallel) box.add({0, 0, 0});
-    // The V of the view volume is shown whole as far up as the corners reach, but not at the cost of all the
-    // rest.
-    const double top = std::max(box.high.y, 1e-9);
-    box.add({-std::min(top, 1.2 * box.longest()), top, 0}),
-        box.add({std::min(top, 1.2 * box.longest()), top, 0});
+    // The V of the view volume as far up as the corners and the far plane reach; what lies far beside it is
+    // cut off.
+    const double top = std::min(std::max(box.high.y, 1e-9), 1.2 * capture.loaded->camera.far);
+    if (flat.parallel) return box;
+    box.low = glm::max(box.low, glm::dvec3(-1.6 * top, -0.3 * top, 0));
+    box.high = glm::min(box.high, glm::dvec3(1.6 * top, 1.25 * top, 0));
+    box.add({-top, top, 0}), box.add({top, top, 0});
     return box;
 }
 
@@ -77,7 +81,8 @@ void draw_volume(Canvas canvas, Rect area, const View& view, const Capture& capt
     line(canvas, at(-1, low), at(1, low), {green, 3});
     if (flat.parallel || capture.loaded->camera.far < reach)
         line(canvas, at(-1, high), at(1, high), {green, 3});
-    const double text_at = view.center.y + (area.height / 2.0 - 74) / view.scale;
+    const double upper = view.center.y + (area.height / 2.0 - 74) / view.scale;
+    const double text_at = flat.parallel ? upper : std::min(upper, 0.8 * high);
     const std::string w = flat.parallel ? "1" : "w";
     label(canvas, {at(-1, text_at).x - 10, at(-1, text_at).y}, name + " = -" + w, green, Align::Right);
     label(canvas, {at(1, text_at).x + 10, at(1, text_at).y}, name + " = " + w, green);
@@ -87,9 +92,11 @@ void draw_volume(Canvas canvas, Rect area, const View& view, const Capture& capt
         label(canvas, {at(0, low).x, at(0, low).y + 20}, near_name, green, Align::Middle);
     else
         label(canvas, {at(1, low).x + 34, at(1, low).y - 12}, near_name, green);
-    if (flat.parallel)
-        label(canvas, {at(0, high).x, at(0, high).y - 18},
-              capture.reversed_depth() ? "near, z = 1" : "far, z = 1", green, Align::Middle);
+    if (flat.parallel || capture.loaded->camera.far < reach) {
+        const std::string end = capture.reversed_depth() ? "near, z = 1" : "far, z = 1";
+        label(canvas, {at(0, high).x, at(0, high).y - 16},
+              flat.parallel ? end : "far plane, w = " + number(high), green, Align::Middle);
+    }
 }
 
 std::vector<Segment> clip_wire(const Capture& capture, const Census& census, ClipView flat, Fate fate) {
@@ -278,6 +285,31 @@ View ndc_view(bool reversed, double stretch) {
     return view;
 }
 
+std::vector<PanelBlock> ndc_panel(const Box& used, bool reversed, bool two) {
+    PanelBlock ranges{"Used part of the box", {quiet("none")}};
+    if (!used.empty)
+        ranges.rows = {pair("x", range(used.low.x, used.high.x)), pair("y", range(used.low.y, used.high.y)),
+                       pair("z", range(used.low.z, used.high.z)),
+                       pair("nearest z", number(reversed ? used.high.z : used.low.z)),
+                       pair("farthest z", number(reversed ? used.low.z : used.high.z))};
+    PanelBlock depth{
+        "Depth",
+        {pair("near plane", reversed ? "z = 1" : "z = 0"), pair("far plane", reversed ? "z = 0" : "z = 1"),
+         quiet(reversed ? "Reversed: float numbers are finest near 0, where perspective crowds the distance."
+                        : "Forward: perspective crowds the distance near 1.")}};
+    if (two)
+        depth.rows.push_back(quiet("The lower box shows the same, its depth stretched to the part in use."));
+    return {{"Division",
+             {words("x/w, y/w, z/w"),
+              quiet("What is farther has a larger w and becomes smaller: this is the perspective.")}},
+            ranges,
+            depth,
+            {"Legend",
+             {sample(Kind::Line, inside_color, "triangle"),
+              sample(Kind::Line, crossing_color, "polygon left by clipping"),
+              sample(Kind::Line, haze, "edges of the box")}}};
+}
+
 void draw_ndc_box(Canvas canvas, Rect area, const View& unfitted, const Box& box,
                   const std::vector<ClippedPiece>& pieces, const std::string& title) {
     const View view = fitted(unfitted, box, area, 48);
@@ -293,47 +325,29 @@ void draw_ndc_box(Canvas canvas, Rect area, const View& unfitted, const Box& box
 
 StagePage draw_ndc(const Capture& capture, const Heading& heading) {
     const std::vector<ClippedPiece> pieces = clip_to_view_volume(capture, take_census(capture));
-    Box used;
+    const bool reversed = capture.reversed_depth();
+    Box used, whole;
     for (const ClippedPiece& piece : pieces)
         for (const glm::dvec3 p : piece.ndc) used.add(p);
-    const bool reversed = capture.reversed_depth();
-    PanelBlock ranges{"Used part of the box", {}};
-    if (!used.empty)
-        ranges.rows = {pair("x", range(used.low.x, used.high.x)), pair("y", range(used.low.y, used.high.y)),
-                       pair("z", range(used.low.z, used.high.z)),
-                       pair("nearest z", number(reversed ? used.high.z : used.low.z)),
-                       pair("farthest z", number(reversed ? used.low.z : used.high.z))};
-    const PanelBlock depth{
-        "Depth",
-        {pair("near plane", reversed ? "z = 1" : "z = 0"), pair("far plane", reversed ? "z = 0" : "z = 1"),
-         quiet(reversed ? "Reversed: float numbers are finest near 0, where perspective crowds the distance."
-                        : "Forward: perspective crowds the distance near 1."),
-         quiet("The lower box shows the same, its depth stretched to the part in use.")}};
-    const PanelBlock legend{"Legend",
-                            {sample(Kind::Line, inside_color, "triangle"),
-                             sample(Kind::Line, crossing_color, "polygon left by clipping"),
-                             sample(Kind::Line, haze, "edges of the box")}};
-    const PanelBlock how{
-        "Division",
-        {words("x/w, y/w, z/w"),
-         quiet("What is farther has a larger w and becomes smaller: this is the perspective.")}};
-    Page page = diagram_page(heading, {how, ranges, depth, legend});
+    whole.add({-1, -1, 0}), whole.add({1, 1, 1});
+    // Where depth is crowded, a second drawing stretches it.
+    Box crowded = whole;
+    crowded.low.z = used.low.z, crowded.high.z = used.high.z;
+    const bool two = crowded.size().z > 1e-9 && crowded.size().z < 0.5;
+
+    Page page = diagram_page(heading, ndc_panel(used, reversed, two));
     const Canvas canvas = canvas_of(page.picture);
-    Box box;
-    box.add({-1, -1, 0}), box.add({1, 1, 1});
-    Box stretched = box;
-    stretched.low.z = used.empty ? 0 : used.low.z, stretched.high.z = used.empty ? 1 : used.high.z;
-    if (!(stretched.size().z > 1e-9)) stretched = box;
-    for (int i = 0; i < 2; ++i) {
-        const Rect area = cell(page.area, 0, 1, i, 2, 0);
-        frame(canvas, area, rule);
-        const Canvas inside = within(canvas, inset(area, 2));
-        const Box& shown = i == 0 ? box : stretched;
-        draw_ndc_box(
-            inside, inset(area, 2), ndc_view(reversed, i == 0 ? 1 : 1 / shown.size().z), shown, pieces,
-            i == 0 ? "the whole box" : "depth stretched: z from " + range(shown.low.z, shown.high.z));
-        if (pieces.empty()) say(inside, area, "nothing is left after clipping");
+    const Rect upper = cell(page.area, 0, 1, 0, two ? 2 : 1, 0), lower = cell(page.area, 0, 1, 1, 2, 0);
+    frame(canvas, upper, rule);
+    draw_ndc_box(within(canvas, inset(upper, 2)), inset(upper, 2), ndc_view(reversed, 1), whole, pieces,
+                 "the whole box");
+    if (two) {
+        frame(canvas, lower, rule);
+        draw_ndc_box(within(canvas, inset(lower, 2)), inset(lower, 2),
+                     ndc_view(reversed, 1 / crowded.size().z), crowded, pieces,
+                     "depth stretched: z from " + range(crowded.low.z, crowded.high.z));
     }
+    if (pieces.empty()) say(canvas, upper, "nothing is left after clipping");
     std::vector<Count> counts{{"polygons", std::int64_t(pieces.size())}};
     if (!used.empty) counts.push_back({"z_low", used.low.z}), counts.push_back({"z_high", used.high.z});
     return {std::move(page.picture), std::move(counts), {}, 1};

@@ -34,7 +34,7 @@ std::vector<PanelBlock> object_panel(const Capture& capture) {
         const pipeline::Mesh& mesh = *capture.model(m).mesh;
         const Box box = box_of(object_positions(capture.model(m)));
         PanelBlock block{model_name(*capture.loaded, m, panel_columns), {}};
-        block.rows.push_back(pair(counted(std::int64_t(mesh.vertices.size()), "corner"),
+        block.rows.push_back(pair(grouped(std::int64_t(mesh.vertices.size())) + " vertices",
                                   counted(std::int64_t(mesh.triangles()), "triangle")));
         if (models > 3) {
             block.rows.push_back(pair(
@@ -56,7 +56,7 @@ std::vector<PanelBlock> object_panel(const Capture& capture) {
     panel.push_back(
         {"Legend",
          {sample(Kind::Line, ink, "edge that can be seen"),
-          sample(Kind::Line, haze, "edge behind the surface"),
+          sample(Kind::Line, haze, "edge behind the surface"), sample(Kind::Ring, ink, "origin"),
           quiet("Seen from the front, the right and above; front faces have counter-clockwise corners.")}});
     return panel;
 }
@@ -65,18 +65,21 @@ void draw_model(Canvas canvas, Rect area, const Capture& capture, std::size_t m,
     const std::vector<glm::dvec3> positions = object_positions(capture.model(m));
     const Box box = box_of(positions);
     if (box.empty || capture.model(m).mesh->triangles() == 0) return say(canvas, area, "no triangles");
-    const View view = fitted(oblique_view(), box, area, large ? 88 : 66);
+    const View view = fitted(oblique_view(), box,
+                             large ? Rect{area.x + 96, area.y + 60, area.width - 190, area.height - 150}
+                                   : Rect{area.x + 96, area.y + 40, area.width - 180, area.height - 100},
+                             0);
     raster::Model alone = capture.model(m);
     alone.world_from_object = {};
     const Solid solid = draw_solid(view, area, std::span(&alone, 1));
     paste_solid(canvas, solid);
     const std::vector<Segment> wire = mesh_edges(*alone.mesh, positions);
-    const Stroke stroke = wire_stroke(view, wire, area, ink);
+    const Stroke stroke = wire_stroke(view, wire, area, ink, 0.25);
     draw_wire(canvas, view, solid, wire, stroke, hidden_stroke(stroke));
-    draw_axes(canvas, view, box, large ? 46 : 60);
+    draw_axes(canvas, view, box, large ? 46 : 36);
     const Spot origin = view.spot({0, 0, 0});
     ring(canvas, origin, 5, {ink, 2});
-    label(canvas, {origin.x + 12, origin.y}, "origin", ink);
+    if (large) label(canvas, {origin.x + 12, origin.y}, "origin", ink);
 }
 
 }  // namespace
@@ -184,9 +187,7 @@ void draw_camera(Canvas canvas, const View& view, const CameraSymbol& symbol, bo
     const Spot eye = view.spot(
         parallel ? 0.25 * (symbol.near[0] + symbol.near[1] + symbol.near[2] + symbol.near[3]) : symbol.eye);
     disc(canvas, eye, 5, purple);
-    const bool leftmost = eye.x < view.spot(symbol.sight[0]).x;
-    label(canvas, {eye.x + (leftmost ? -14 : 14), eye.y + 22}, "camera", purple,
-          leftmost ? Align::Middle : Align::Left);
+    label(canvas, {eye.x, eye.y - 24}, "camera", purple, Align::Middle);
 }
 
 void draw_ground(Canvas canvas, const View& view, const Box& box, double y) {
@@ -207,7 +208,9 @@ void draw_light(Canvas canvas, Spot at, int number_of_light) {
     for (const auto& [dx, dy] : {Spot{1, 0}, Spot{-1, 0}, Spot{0, 1}, Spot{0, -1}, Spot{0.7, 0.7},
                                  Spot{-0.7, 0.7}, Spot{0.7, -0.7}, Spot{-0.7, -0.7}})
         line(canvas, {at.x + 11 * dx, at.y + 11 * dy}, {at.x + 16 * dx, at.y + 16 * dy}, {ink, 1.5});
-    label(canvas, {at.x + 22, at.y}, "light " + std::to_string(number_of_light), ink);
+    const bool at_edge = at.x > canvas.clip.right() - 130;
+    label(canvas, {at.x + (at_edge ? -22 : 22), at.y}, "light " + std::to_string(number_of_light), ink,
+          at_edge ? Align::Right : Align::Left);
 }
 
 // ---- world ----
@@ -262,6 +265,7 @@ StagePage draw_world(const Capture& capture, const Heading& heading) {
     CameraSymbol symbol = camera_symbol(capture, 1);
     std::vector<glm::dvec3> points(symbol.sight.begin(), symbol.sight.end());
     points.push_back(symbol.eye);
+    if (capture.scene().camera.parallel) points.insert(points.end(), symbol.near.begin(), symbol.near.end());
     for (const raster::Model& model : models) {
         const Box one = box_of(world_positions(model));
         for (int i = 0; i < 8; ++i) points.push_back(one.corner(i));
@@ -283,7 +287,7 @@ StagePage draw_world(const Capture& capture, const Heading& heading) {
     paste_solid(canvas, solid);
     for (std::size_t m = 0; m < models.size(); ++m) {
         const std::vector<Segment> wire = world_wire(capture, m);
-        const Stroke stroke = wire_stroke(view, wire, area, ink);
+        const Stroke stroke = wire_stroke(view, wire, area, ink, 0.25);
         draw_wire(canvas, view, solid, wire, stroke, hidden_stroke(stroke));
     }
     draw_camera(canvas, view, symbol, capture.scene().camera.parallel);
@@ -306,7 +310,7 @@ StagePage draw_world(const Capture& capture, const Heading& heading) {
         draw_light(canvas, start, n);
     }
     label(canvas, {area.x + 10.0, area.bottom() - 20.0},
-          "grid at y = " + number(ground) + ", squares of " +
+          "grid at y = " + number(std::abs(ground) < 1e-7 * all.longest() ? 0 : ground) + ", squares of " +
               number(nice_step(std::max(all.size().x, all.size().z) / 12)),
           muted);
     return {std::move(page.picture),
@@ -320,11 +324,18 @@ StagePage draw_world(const Capture& capture, const Heading& heading) {
 // ---- eye ----
 namespace {
 
-struct EyeView {
-    View view;
-    int vertical;  // the axis upwards in the picture: 1 in the side view; in the top view -z
-    bool side;
-};
+// The models' box with the eye, but not much more than the view volume: a floor to the horizon must not make
+// all else a dot.
+Box shown_part(const Capture& capture, Box box) {
+    box.add({0, 0, 0});
+    const double reach =
+        1.4 * std::min(capture.loaded->camera.far, std::max(-box.low.z, capture.loaded->camera.near));
+    for (int k = 0; k < 3 && reach > 0; ++k) {
+        box.low[k] = std::max(box.low[k], -reach);
+        box.high[k] = std::min(box.high[k], k == 2 ? 0.3 * reach : reach);
+    }
+    return box;
+}
 
 void draw_sight_lines(Canvas canvas, const View& view, bool side, const Capture& capture, double reach) {
     const glm::dmat4& clip = capture.scene().camera.clip_from_eye.m;
@@ -385,7 +396,7 @@ StagePage draw_eye(const Capture& capture, const Heading& heading) {
                                numbers,
                                legend});
     const Canvas canvas = canvas_of(page.picture);
-    box.add({0, 0, 0});
+    box = shown_part(capture, box);
     for (int i = 0; i < 2; ++i) {
         const Rect area = cell(page.area, 0, 1, i, 2, 0);
         frame(canvas, area, rule);

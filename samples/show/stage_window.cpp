@@ -36,10 +36,29 @@ Rect window_rect(const Capture& capture, const View& view) {
             std::max(1, static_cast<int>(view.scale * capture.loaded->height))};
 }
 
-std::vector<Segment> face_wire(const Capture& capture, std::optional<bool> culled) {
+enum class Group { All, Kept, KeptFront, KeptBack, Culled };
+
+bool belongs(const SeenFace& face, Group group) {
+    const bool front = face.facing == pipeline::Facing::Front;
+    switch (group) {
+        case Group::All:
+            return true;
+        case Group::Kept:
+            return !face.culled;
+        case Group::KeptFront:
+            return !face.culled && front;
+        case Group::KeptBack:
+            return !face.culled && !front;
+        case Group::Culled:
+            return face.culled;
+    }
+    return false;
+}
+
+std::vector<Segment> face_wire(const Capture& capture, Group group) {
     std::vector<Segment> wire;
     for (const SeenFace& face : capture.seen.geometry.faces)
-        for (std::size_t k = 0; (!culled || face.culled == *culled) && k < 3; ++k)
+        for (std::size_t k = 0; belongs(face, group) && k < 3; ++k)
             wire.push_back({place(face.corners[k]), place(face.corners[(k + 1) % 3])});
     return unique_segments(std::move(wire));
 }
@@ -85,7 +104,7 @@ void draw_lens(Canvas canvas, Rect area, const Capture& capture, const pipeline:
     for (int y = 0; y < 12; ++y)
         for (int x = 0; x < 18; ++x)
             disc(inside, {rect.x + (x + 0.5) * lens_factor, rect.y + (y + 0.5) * lens_factor}, 1.5, haze);
-    const std::vector<Segment> wire = face_wire(capture, false);
+    const std::vector<Segment> wire = face_wire(capture, Group::Kept);
     draw_wire(inside, view, wire, {blue, 2});
     const Spot at = view.spot(place(corner));
     ring(inside, at, 6, {vermilion, 2});
@@ -134,14 +153,14 @@ StagePage draw_window(const Capture& capture, const Heading& heading) {
     const PanelBlock legend{
         "Legend",
         {sample(Kind::Line, blue, "edge of a triangle"), sample(Kind::Square, paper, "the picture"),
-         sample(Kind::Square, mist, "beside the picture")}};
+         sample(Kind::Ring, vermilion, "corner under the lens")}};
     Page page = diagram_page(heading, {fate_block(capture), viewport, legend});
     const Canvas canvas = canvas_of(page.picture);
     const Rect area = inset(page.area, 2), upper{area.x, area.y, area.width, area.height - lens_height - 12};
     fill(canvas, upper, mist);
     View view = window_view(capture, inset(upper, 16));
     draw_window_frame(within(canvas, upper), capture, view);
-    const std::vector<Segment> wire = face_wire(capture, {});
+    const std::vector<Segment> wire = face_wire(capture, Group::All);
     draw_wire(within(canvas, upper), view, wire, wire_stroke(view, wire, upper, blue));
     const Rect lens{area.x + 10, upper.bottom() + 10, area.width - 20, lens_height};
     if (const auto corner = central_corner(capture))
@@ -161,28 +180,33 @@ StagePage draw_window(const Capture& capture, const Heading& heading) {
 
 StagePage draw_culled(const Capture& capture, const Heading& heading) {
     const pipeline::Cull cull = capture.loaded->settings.cull;
-    std::int64_t front = 0, back = 0, culled = 0;
-    for (const SeenFace& face : capture.seen.geometry.faces)
-        ++(face.facing == pipeline::Facing::Front ? front : back), culled += face.culled;
+    std::int64_t front = 0, back = 0, culled = 0, kept_front = 0;
+    for (const SeenFace& face : capture.seen.geometry.faces) {
+        ++(face.facing == pipeline::Facing::Front ? front : back);
+        culled += face.culled;
+        kept_front += belongs(face, Group::KeptFront);
+    }
     const std::int64_t no_pixel = rejected(capture, raster::Rejection::NoPixel), kept = front + back - culled;
-    const PanelBlock sides{"Triangles in the window",
-                           {pair("all", grouped(front + back)), pair("front faces", grouped(front)),
-                            pair("back faces", grouped(back))}};
-    const PanelBlock result{"Culling",
-                            {pair("setting", cull == pipeline::Cull::Back    ? "cull back faces"
-                                             : cull == pipeline::Cull::Front ? "cull front faces"
-                                                                             : "cull none"),
-                             sample(Kind::Line, blue, "kept", grouped(kept)),
-                             sample(Kind::Dashes, vermilion, "culled", grouped(culled)),
-                             pair("kept, but without a pixel", grouped(no_pixel))}};
-    const PanelBlock how{
-        "How",
-        {quiet("The sign of the snapped area decides: corners counter-clockwise in the picture mean that the "
-               "front is seen. The area is an exact integer, so no rounding can turn a triangle around.")}};
-    Page page = diagram_page(heading, {sides, result, how});
+    Page page = diagram_page(
+        heading,
+        {{"Triangles in the window",
+          {pair("all", grouped(front + back)), pair("front faces", grouped(front)),
+           pair("back faces", grouped(back))}},
+         {"Culling",
+          {pair("setting", cull == pipeline::Cull::Back    ? "cull back faces"
+                           : cull == pipeline::Cull::Front ? "cull front faces"
+                                                           : "cull none"),
+           sample(Kind::Line, blue, "kept, front", grouped(kept_front)),
+           sample(Kind::Line, purple, "kept, back", grouped(kept - kept_front)),
+           sample(Kind::Dashes, vermilion, "culled", grouped(culled)),
+           pair("kept, but without a pixel", grouped(no_pixel))}},
+         {"How",
+          {quiet(
+              "The sign of the snapped area decides: when the corners run counter-clockwise in the picture, "
+              "the "
+              "front is seen. The area is an exact integer, so no rounding can turn a triangle around.")}}});
     const Canvas canvas = canvas_of(page.picture);
     const Rect area = inset(page.area, 2);
-    const std::vector<Segment> dropped = face_wire(capture, true), stays = face_wire(capture, false);
     // Few triangles: all in one drawing. Many: one drawing each, or nobody could tell them apart.
     const bool apart = kept > 0 && culled > 0 && front + back > 400;
     for (int i = 0; i < (apart ? 2 : 1); ++i) {
@@ -191,10 +215,14 @@ StagePage draw_culled(const Capture& capture, const Heading& heading) {
         fill(inside, part, mist);
         View view = window_view(capture, inset(part, 16));
         draw_window_frame(inside, capture, view);
-        Stroke dropped_stroke = wire_stroke(view, dropped, part, vermilion);
-        dropped_stroke.dash = 5;
-        if (!apart || i == 1) draw_wire(inside, view, dropped, dropped_stroke);
-        if (!apart || i == 0) draw_wire(inside, view, stays, wire_stroke(view, stays, part, blue));
+        const auto draw_group = [&](Group group, Rgba8 color, double dash) {
+            const std::vector<Segment> wire = face_wire(capture, group);
+            Stroke stroke = wire_stroke(view, wire, part, color);
+            stroke.dash = dash;
+            draw_wire(inside, view, wire, stroke);
+        };
+        if (!apart || i == 1) draw_group(Group::Culled, vermilion, apart ? 0 : 5);
+        if (!apart || i == 0) draw_group(Group::KeptBack, purple, 0), draw_group(Group::KeptFront, blue, 0);
         if (apart)
             label(inside, {part.x + 12.0, part.y + 20.0}, i == 0 ? "kept" : "culled",
                   i == 0 ? blue : vermilion);

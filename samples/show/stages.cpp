@@ -14,9 +14,7 @@ constexpr std::array<StageInfo, 16> all_stages{{
      draw_world},
     {"eye", "The same world, measured from the eye: the eye is the origin, looks down -z, and +y is up.",
      draw_eye},
-    {"clip",
-     "The projection gives each corner four numbers x, y, z, w. What is seen has -w ≤ x ≤ w, -w ≤ y ≤ w, 0 ≤ "
-     "z ≤ w.",
+    {"clip", "The projection gives each corner x, y, z and w. What is seen has -w ≤ x, y ≤ w and 0 ≤ z ≤ w.",
      draw_clip},
     {"clipped",
      "What lies outside of the view volume is cut away; an edge that crosses a plane gets a new corner on "

@@ -44,7 +44,7 @@ View oblique_view() { return view_from({0.50, 0.42, 0.80}); }
 
 View view_across(glm::dvec3 direction) {
     constexpr std::array<glm::dvec3, 4> places{
-        {{0.50, 0.42, 0.80}, {-0.50, 0.42, 0.80}, {0.85, 0.42, 0.35}, {-0.85, 0.42, 0.35}}};
+        {{0.50, 0.60, 0.80}, {-0.50, 0.60, 0.80}, {0.85, 0.60, 0.35}, {-0.85, 0.60, 0.35}}};
     const auto along = [&](glm::dvec3 place) { return std::abs(dot(place, direction)); };
     return view_from(*std::min_element(places.begin(), places.end(),
                                        [&](auto& a, auto& b) { return along(a) < along(b); }));
@@ -117,8 +117,8 @@ std::vector<Segment> mesh_edges(const pipeline::Mesh& mesh, std::span<const glm:
 
 // The lines of a wire would fill `ink` of the area that they span. Up to a seventh they are drawn in full;
 // then they become thinner, and from one half on translucent.
-Stroke wire_stroke(const View& view, std::span<const Segment> wire, Rect area, Rgba8 color) {
-    constexpr double widest = 1.75, thinnest = 0.5, sparse = 0.15, dense = 0.5;
+Stroke wire_stroke(const View& view, std::span<const Segment> wire, Rect area, Rgba8 color, double dense) {
+    constexpr double widest = 1.75, thinnest = 0.5, sparse = 0.15;
     double length = 0;
     Box box;
     for (const Segment& s : wire) {

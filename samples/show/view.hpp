@@ -50,8 +50,10 @@ struct Segment {
 std::vector<Segment> unique_segments(std::vector<Segment> segments);
 std::vector<Segment> mesh_edges(const pipeline::Mesh& mesh, std::span<const glm::dvec3> positions);
 
-// A stroke for so much wire: the denser it is in the view, the thinner and the more translucent.
-Stroke wire_stroke(const View& view, std::span<const Segment> wire, Rect area, Rgba8 color);
+// A stroke for so much wire: the denser it is in the view, the thinner and the more translucent, so that in
+// the mean no more than `dense` of its area is inked.
+Stroke wire_stroke(const View& view, std::span<const Segment> wire, Rect area, Rgba8 color,
+                   double dense = 0.5);
 void draw_wire(Canvas canvas, const View& view, std::span<const Segment> wire, Stroke stroke);
 
 // Models drawn softly shaded in one tint each, with the depth that hides lines. All of `area`'s size.
