@@ -1,10 +1,23 @@
 // The one place that knows toml++ (which compiles slowly).
-#define TOML_EXCEPTIONS 0
-#define TOML_HEADER_ONLY 1
+//
+// Its version 3.3 asserts, in place of an error, that some malformed texts ("[= a]") do not exist; with
+// assertions off that would be undefined. So a failed assertion is an exception here, and the place is found
+// by the shortest beginning of the text that fails: parsing runs from left to right, so every longer one
+// fails too.
 #include "samples/scene/document.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+namespace {
+struct MalformedSomewhere {};
+[[noreturn]] void malformed_somewhere() { throw MalformedSomewhere{}; }
+}  // namespace
+#undef NDEBUG
+#define TOML_ASSERT(expression) ((expression) ? static_cast<void>(0) : malformed_somewhere())
+#define TOML_EXCEPTIONS 1
+#define TOML_HEADER_ONLY 1
 #include <toml++/toml.h>
 
 namespace relevo::scene {
@@ -40,14 +53,39 @@ Value convert(const toml::node& node, const std::string& path) {
     return {place, Value::Other{}};
 }
 
+bool is_malformed(std::string_view text) {
+    try {
+        (void)toml::parse(text);
+    } catch (const MalformedSomewhere&) {
+        return true;
+    } catch (const toml::parse_error&) {
+    }
+    return false;
+}
+
+io::Place malformed_place(std::string_view text, const std::string& path) {
+    std::size_t fine = 0, malformed = text.size();
+    while (malformed - fine > 1) {
+        const std::size_t middle = fine + (malformed - fine) / 2;
+        (is_malformed(text.substr(0, middle)) ? malformed : fine) = middle;
+    }
+    const std::string_view before = text.substr(0, fine);
+    const auto lines = std::count(before.begin(), before.end(), '\n');
+    const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
+    return {path, static_cast<int>(lines) + 1, static_cast<int>(fine - line_start) + 1};
+}
+
 }  // namespace
 
 io::FileResult<Value> parse_document(std::string_view text, const std::string& path) {
-    const toml::parse_result result = toml::parse(text, path);
-    if (!result)
-        return io::FileError{place_of(result.error().source(), path),
-                             "this is not TOML: " + std::string(result.error().description())};
-    return Value{{path, 1, 1}, convert_table(result.table(), path)};
+    try {
+        return Value{{path, 1, 1}, convert_table(toml::parse(text, path), path)};
+    } catch (const MalformedSomewhere&) {
+        return io::FileError{malformed_place(text, path), "this is not TOML: unexpected here"};
+    } catch (const toml::parse_error& error) {
+        return io::FileError{place_of(error.source(), path),
+                             fmt::format("this is not TOML: {}", error.description())};
+    }
 }
 
 std::string describe(double number) { return fmt::format("{}", number); }
