@@ -93,22 +93,28 @@ void draw_volume(Canvas canvas, Rect area, const View& view, const Capture& capt
     else
         label(canvas, {at(1, low).x + 34, at(1, low).y - 12}, near_name, green);
     if (flat.parallel || capture.loaded->camera.far < reach) {
-        const std::string end = capture.reversed_depth() ? "near, z = 1" : "far, z = 1";
-        label(canvas, {at(0, high).x, at(0, high).y - 16},
-              flat.parallel ? end : "far plane, w = " + number(high), green, Align::Middle);
+        if (flat.parallel)
+            label(canvas, {at(0, high).x, at(0, high).y - 16},
+                  capture.reversed_depth() ? "near, z = 1" : "far, z = 1", green, Align::Middle);
+        else
+            label(canvas, {at(1, high).x + 12, at(1, high).y}, "far plane, w = " + number(high), green);
     }
 }
 
-std::vector<Segment> clip_wire(const Capture& capture, const Census& census, ClipView flat, Fate fate) {
-    std::vector<Segment> wire;
+// The edges of the triangles of one fate, a list a model.
+std::vector<std::vector<Segment>> clip_wires(const Capture& capture, const Census& census, ClipView flat,
+                                             Fate fate) {
+    std::vector<std::vector<Segment>> wires(census.fates.size());
     for (std::size_t m = 0; m < census.fates.size(); ++m) {
         const std::vector<std::uint32_t>& i = capture.model(m).mesh->indices;
+        const std::vector<SeenVertex>& v = capture.vertices(m);
         for (std::size_t t = 0; t < census.fates[m].size(); ++t)
             for (std::size_t k = 0; census.fates[m][t] == fate && k < 3; ++k)
-                wire.push_back({flat.place(capture.vertices(m)[i[3 * t + k]].clip),
-                                flat.place(capture.vertices(m)[i[3 * t + (k + 1) % 3]].clip)});
+                wires[m].push_back(
+                    {flat.place(v[i[3 * t + k]].clip), flat.place(v[i[3 * t + (k + 1) % 3]].clip)});
+        wires[m] = unique_segments(std::move(wires[m]));
     }
-    return unique_segments(std::move(wire));
+    return wires;
 }
 
 void draw_clip_view(Canvas canvas, Rect area, const Capture& capture, const Census& census, ClipView flat) {
@@ -117,10 +123,11 @@ void draw_clip_view(Canvas canvas, Rect area, const Capture& capture, const Cens
     draw_flat_axes(canvas, view, area, 0, 1, {across, flat.parallel ? "z" : "w", ""});
     draw_volume(canvas, area, view, capture, flat);
     const auto draw_fate = [&](Fate fate, Rgba8 color, double dash, double factor) {
-        const std::vector<Segment> wire = clip_wire(capture, census, flat, fate);
-        Stroke stroke = wire_stroke(view, wire, area, color);
-        stroke.dash = dash, stroke.width *= factor;
-        draw_wire(canvas, view, wire, stroke);
+        for (const std::vector<Segment>& wire : clip_wires(capture, census, flat, fate)) {
+            Stroke stroke = wire_stroke(view, wire, area, color);
+            stroke.dash = dash, stroke.width *= factor;
+            draw_wire(canvas, view, wire, stroke);
+        }
     };
     draw_fate(Fate::Outside, outside_color, 5, 1);
     draw_fate(Fate::Inside, inside_color, 0, 1);
@@ -162,12 +169,22 @@ StagePage draw_clip(const Capture& capture, const Heading& heading) {
 // ---- clipped ----
 namespace {
 
-std::vector<Segment> piece_wire(const std::vector<ClippedPiece>& pieces, bool cut) {
-    std::vector<Segment> wire;
-    for (const ClippedPiece& piece : pieces)
+// The edges of the polygons that were cut or not, a list a model.
+std::vector<std::vector<Segment>> piece_wires(const std::vector<ClippedPiece>& pieces, bool cut) {
+    std::vector<std::vector<Segment>> wires;
+    for (const ClippedPiece& piece : pieces) {
+        if (wires.size() <= piece.model) wires.resize(piece.model + 1);
         for (std::size_t i = 0; piece.cut == cut && i < piece.ndc.size(); ++i)
-            wire.push_back({piece.ndc[i], piece.ndc[(i + 1) % piece.ndc.size()]});
-    return unique_segments(std::move(wire));
+            wires[piece.model].push_back({piece.ndc[i], piece.ndc[(i + 1) % piece.ndc.size()]});
+    }
+    for (std::vector<Segment>& wire : wires) wire = unique_segments(std::move(wire));
+    return wires;
+}
+
+void draw_pieces(Canvas canvas, const View& view, Rect area, const std::vector<ClippedPiece>& pieces) {
+    for (const bool cut : {false, true})
+        for (const std::vector<Segment>& wire : piece_wires(pieces, cut))
+            draw_wire(canvas, view, wire, wire_stroke(view, wire, area, cut ? crossing_color : inside_color));
 }
 
 // The edges of the triangles before clipping, as far as they can be divided by w.
@@ -256,10 +273,7 @@ StagePage draw_clipped(const Capture& capture, const Heading& heading) {
             polygon(canvas, spots,
                     with_opacity(piece.cut ? crossing_color : inside_color, piece.cut ? 46 : 20));
     }
-    for (const bool cut : {false, true}) {
-        const std::vector<Segment> wire = piece_wire(pieces, cut);
-        draw_wire(canvas, view, wire, wire_stroke(view, wire, area, cut ? crossing_color : inside_color));
-    }
+    draw_pieces(canvas, view, area, pieces);
     path(canvas, volume, {green, 3}, true);
     draw_new_corners(canvas, view, pieces, totals.made);
     if (pieces.empty()) say(canvas, area, "nothing is left: all triangles are outside of the view volume");
@@ -313,11 +327,8 @@ std::vector<PanelBlock> ndc_panel(const Box& used, bool reversed, bool two) {
 void draw_ndc_box(Canvas canvas, Rect area, const View& unfitted, const Box& box,
                   const std::vector<ClippedPiece>& pieces, const std::string& title) {
     const View view = fitted(unfitted, box, area, 48);
-    draw_axes(canvas, view, box, 46);
-    for (const bool cut : {false, true}) {
-        const std::vector<Segment> wire = piece_wire(pieces, cut);
-        draw_wire(canvas, view, wire, wire_stroke(view, wire, area, cut ? crossing_color : inside_color));
-    }
+    draw_axes(canvas, view, box, area.height > 500 ? 72 : 46);
+    draw_pieces(canvas, view, area, pieces);
     label(canvas, {area.x + 12.0, area.y + 18.0}, title, ink);
 }
 

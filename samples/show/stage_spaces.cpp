@@ -76,7 +76,7 @@ void draw_model(Canvas canvas, Rect area, const Capture& capture, std::size_t m,
     const std::vector<Segment> wire = mesh_edges(*alone.mesh, positions);
     const Stroke stroke = wire_stroke(view, wire, area, ink, 0.25);
     draw_wire(canvas, view, solid, wire, stroke, hidden_stroke(stroke));
-    draw_axes(canvas, view, box, large ? 46 : 36);
+    draw_axes(canvas, view, box, large ? 60 : 36);
     const Spot origin = view.spot({0, 0, 0});
     ring(canvas, origin, 5, {ink, 2});
     if (large) label(canvas, {origin.x + 12, origin.y}, "origin", ink);

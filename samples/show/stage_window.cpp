@@ -55,12 +55,23 @@ bool belongs(const SeenFace& face, Group group) {
     return false;
 }
 
-std::vector<Segment> face_wire(const Capture& capture, Group group) {
-    std::vector<Segment> wire;
+// The edges of a group of triangles, a list a model.
+std::vector<std::vector<Segment>> face_wires(const Capture& capture, Group group) {
+    std::vector<std::vector<Segment>> wires(capture.scene().models.size());
     for (const SeenFace& face : capture.seen.geometry.faces)
         for (std::size_t k = 0; belongs(face, group) && k < 3; ++k)
-            wire.push_back({place(face.corners[k]), place(face.corners[(k + 1) % 3])});
-    return unique_segments(std::move(wire));
+            wires[face.model].push_back({place(face.corners[k]), place(face.corners[(k + 1) % 3])});
+    for (std::vector<Segment>& wire : wires) wire = unique_segments(std::move(wire));
+    return wires;
+}
+
+void draw_faces(Canvas canvas, const View& view, const Capture& capture, Group group, Rgba8 color,
+                double dash) {
+    for (const std::vector<Segment>& wire : face_wires(capture, group)) {
+        Stroke stroke = wire_stroke(view, wire, canvas.clip, color);
+        stroke.dash = dash;
+        draw_wire(canvas, view, wire, stroke);
+    }
 }
 
 // The picture's rectangle with pixels drawn where there is room, so that the view stands on whole pixels.
@@ -104,8 +115,8 @@ void draw_lens(Canvas canvas, Rect area, const Capture& capture, const pipeline:
     for (int y = 0; y < 12; ++y)
         for (int x = 0; x < 18; ++x)
             disc(inside, {rect.x + (x + 0.5) * lens_factor, rect.y + (y + 0.5) * lens_factor}, 1.5, haze);
-    const std::vector<Segment> wire = face_wire(capture, Group::Kept);
-    draw_wire(inside, view, wire, {blue, 2});
+    for (const std::vector<Segment>& wire : face_wires(capture, Group::Kept))
+        draw_wire(inside, view, wire, {blue, 1.5});
     const Spot at = view.spot(place(corner));
     ring(inside, at, 6, {vermilion, 2});
     frame(canvas, {rect.x - 1, rect.y - 1, rect.width + 2, rect.height + 2}, muted);
@@ -160,8 +171,7 @@ StagePage draw_window(const Capture& capture, const Heading& heading) {
     fill(canvas, upper, mist);
     View view = window_view(capture, inset(upper, 16));
     draw_window_frame(within(canvas, upper), capture, view);
-    const std::vector<Segment> wire = face_wire(capture, Group::All);
-    draw_wire(within(canvas, upper), view, wire, wire_stroke(view, wire, upper, blue));
+    draw_faces(within(canvas, upper), view, capture, Group::All, blue, 0);
     const Rect lens{area.x + 10, upper.bottom() + 10, area.width - 20, lens_height};
     if (const auto corner = central_corner(capture))
         draw_lens(canvas, lens, capture, *corner);
@@ -207,25 +217,33 @@ StagePage draw_culled(const Capture& capture, const Heading& heading) {
               "front is seen. The area is an exact integer, so no rounding can turn a triangle around.")}}});
     const Canvas canvas = canvas_of(page.picture);
     const Rect area = inset(page.area, 2);
+    struct Drawn {
+        Group group;
+        std::int64_t count;
+        Rgba8 color;
+        double dash;
+        const char* name;
+    };
+    std::vector<Drawn> groups{{Group::Culled, culled, vermilion, 5, "culled"},
+                              {Group::KeptBack, kept - kept_front, purple, 0, "kept, back"},
+                              {Group::KeptFront, kept_front, blue, 0, "kept, front"}};
+    std::erase_if(groups, [](const Drawn& g) { return g.count == 0; });
     // Few triangles: all in one drawing. Many: one drawing each, or nobody could tell them apart.
-    const bool apart = kept > 0 && culled > 0 && front + back > 400;
-    for (int i = 0; i < (apart ? 2 : 1); ++i) {
-        const Rect part = apart ? cell(area, 0, 1, i, 2, 4) : area;
+    const bool apart = groups.size() > 1 && front + back > 400;
+    const int parts = apart ? static_cast<int>(groups.size()) : 1;
+    for (int i = 0; i < parts; ++i) {
+        const Rect part = cell(area, 0, 1, parts - 1 - i, parts, 4);
         const Canvas inside = within(canvas, part);
         fill(inside, part, mist);
         View view = window_view(capture, inset(part, 16));
         draw_window_frame(inside, capture, view);
-        const auto draw_group = [&](Group group, Rgba8 color, double dash) {
-            const std::vector<Segment> wire = face_wire(capture, group);
-            Stroke stroke = wire_stroke(view, wire, part, color);
-            stroke.dash = dash;
-            draw_wire(inside, view, wire, stroke);
-        };
-        if (!apart || i == 1) draw_group(Group::Culled, vermilion, apart ? 0 : 5);
-        if (!apart || i == 0) draw_group(Group::KeptBack, purple, 0), draw_group(Group::KeptFront, blue, 0);
+        for (std::size_t g = 0; g < groups.size(); ++g)
+            if (!apart || g == std::size_t(i))
+                draw_faces(inside, view, capture, groups[g].group, groups[g].color,
+                           apart ? 0 : groups[g].dash);
         if (apart)
-            label(inside, {part.x + 12.0, part.y + 20.0}, i == 0 ? "kept" : "culled",
-                  i == 0 ? blue : vermilion);
+            label(inside, {part.x + 12.0, part.y + 20.0}, groups[std::size_t(i)].name,
+                  groups[std::size_t(i)].color);
     }
     if (front + back == 0) say(canvas, area, "no triangle reaches the window");
     if (front + back > 0 && kept == 0) say(canvas, area, "every triangle is culled: the picture stays empty");

@@ -45,9 +45,12 @@ View oblique_view() { return view_from({0.50, 0.42, 0.80}); }
 View view_across(glm::dvec3 direction) {
     constexpr std::array<glm::dvec3, 4> places{
         {{0.50, 0.60, 0.80}, {-0.50, 0.60, 0.80}, {0.85, 0.60, 0.35}, {-0.85, 0.60, 0.35}}};
-    const auto along = [&](glm::dvec3 place) { return std::abs(dot(place, direction)); };
-    return view_from(*std::min_element(places.begin(), places.end(),
-                                       [&](auto& a, auto& b) { return along(a) < along(b); }));
+    // Neither along the direction nor quite across it, where what faces it would be seen edge-on.
+    const auto off = [&](glm::dvec3 place) {
+        return std::abs(std::abs(dot(unit(place), unit(direction))) - 0.4);
+    };
+    return view_from(
+        *std::min_element(places.begin(), places.end(), [&](auto& a, auto& b) { return off(a) < off(b); }));
 }
 View side_view() { return {{0, 0, -1}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {}, 1}; }
 View top_view() { return {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}, {0, 0, 0}, {}, 1}; }

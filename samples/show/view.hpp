@@ -22,7 +22,7 @@ struct View {
     double depth(glm::dvec3 p) const;  // larger is nearer
 };
 View oblique_view();  // from the front, the right and above
-// Obliquely from above, and as much as possible from the side of this direction.
+// Obliquely from above and from the side of this direction.
 View view_across(glm::dvec3 direction);
 View side_view();   // from +x: -z runs to the right, y up
 View top_view();    // from +y: x runs to the right, -z up

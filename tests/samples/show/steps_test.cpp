@@ -40,8 +40,9 @@ TEST(Steps, WritesExactlyItsFilesTheSameEachTime) {
     ASSERT_EQ(write_steps(loaded, {two, {}}), std::nullopt);
     EXPECT_EQ(names_in(one), all_files());
     for (const std::string& file : all_files())
-        if (file != "timing.json")
+        if (file != "timing.json") {
             EXPECT_TRUE(bytes_of(one + "/" + file) == bytes_of(two + "/" + file)) << file;
+        }
 }
 
 TEST(Steps, ListsStagesWithFileCaptionAndCounts) {

@@ -21,8 +21,10 @@ TEST(View, FitsABoxIntoAnArea) {
         bool touches = false;
         for (int i = 0; i < 8; ++i) {
             const Spot s = view.spot(unit_box().corner(i));
-            EXPECT_GE(s.x, 25 - 1e-9), EXPECT_LE(s.x, 295 + 1e-9);
-            EXPECT_GE(s.y, 35 - 1e-9), EXPECT_LE(s.y, 205 + 1e-9);
+            EXPECT_GE(s.x, 25 - 1e-9);
+            EXPECT_LE(s.x, 295 + 1e-9);
+            EXPECT_GE(s.y, 35 - 1e-9);
+            EXPECT_LE(s.y, 205 + 1e-9);
             touches |= std::abs(s.y - 35) < 1e-6 || std::abs(s.x - 25) < 1e-6;
         }
         EXPECT_TRUE(touches) << "the area is used";
