@@ -23,7 +23,7 @@ tests::Watch draw_one(const hard::ClipTriangle& t, int width, int height) {
     scene.background = {0, 0, 0};
     Frame frame = tests::frame_of(width, height);
     tests::Watch watch(width, height);
-    draw(scene, tests::unlit(), frame, watch);
+    tests::draw_watched(scene, tests::unlit(), frame, watch);
     return watch;
 }
 

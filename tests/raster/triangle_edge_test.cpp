@@ -361,8 +361,8 @@ TEST(TriangleEdge, MeshesCoverEachCentreOnce) {
     for (std::uint64_t seed = 0; seed < 60; ++seed)
         check_mesh(seed, 64, static_cast<int>(1 + seed % 33), every_row(64));
     check_mesh(100, 8192, 40, some_rows(8192, 40, 100));
-    check_mesh(101, 8192, 200, some_rows(8192, 12, 101));
-    check_mesh(102, 512, 512 * 4, some_rows(512, 12, 102));  // triangles smaller than a pixel
+    check_mesh(101, 8192, 100, some_rows(8192, 12, 101));
+    check_mesh(102, 256, 256 * 4, some_rows(256, 12, 102));  // triangles smaller than a pixel
 }
 
 // Points thrown into a triangle split it again and again: slivers everywhere, on the same grid.

@@ -7,11 +7,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "raster/draw.hpp"
+#include "raster/events.hpp"
+#include "raster/scene.hpp"
 
 namespace relevo::tests {
 
@@ -96,21 +98,47 @@ inline raster::Camera camera_to(const std::array<std::array<double, 4>, 3>& corn
     return camera;
 }
 
-// How often each pixel was covered, which primitive is seen there, and what was dropped why.
+// The probe of the tests: how often each pixel was covered, which primitive is seen there, what was dropped
+// why; and whatever a test hooks in. One type, so that the watched machine is compiled once (drawing.cpp).
 struct Watch {
     raster::Image<int> covered, seen;  // seen: number of the primitive + 1
     int rejected[5] = {0, 0, 0, 0, 0};
     int clipped = 0, snapped = 0, transformed = 0;
+    std::function<void(const raster::VertexTransformed&)> on_vertex;
+    std::function<void(const raster::TriangleRejected&)> on_rejected;
+    std::function<void(const raster::TriangleSnapped&)> on_snapped;
+    std::function<void(const raster::DepthTested&)> on_depth;
+    std::function<void(const raster::FragmentShaded&)> on_shaded;
 
     Watch(int width, int height) : covered(width, height), seen(width, height) {}
-    void on(const raster::VertexTransformed&) { ++transformed; }
-    void on(const raster::TriangleRejected& e) { ++rejected[static_cast<int>(e.reason)]; }
-    void on(const raster::TriangleClipped&) { ++clipped; }
-    void on(const raster::TriangleSnapped&) { ++snapped; }
-    void on(const raster::FragmentCovered& e) { ++covered.at(e.x, e.y); }
-    void on(const raster::FragmentShaded& e) { seen.at(e.x, e.y) = static_cast<int>(e.primitive) + 1; }
     int count(raster::Rejection reason) const { return rejected[static_cast<int>(reason)]; }
+
+    void on(const raster::VertexTransformed& e) {
+        ++transformed;
+        if (on_vertex) on_vertex(e);
+    }
+    void on(const raster::TriangleRejected& e) {
+        ++rejected[static_cast<int>(e.reason)];
+        if (on_rejected) on_rejected(e);
+    }
+    void on(const raster::TriangleClipped&) { ++clipped; }
+    void on(const raster::TriangleSnapped& e) {
+        ++snapped;
+        if (on_snapped) on_snapped(e);
+    }
+    void on(const raster::FragmentCovered& e) { ++covered.at(e.x, e.y); }
+    void on(const raster::DepthTested& e) {
+        if (on_depth) on_depth(e);
+    }
+    void on(const raster::FragmentShaded& e) {
+        seen.at(e.x, e.y) = static_cast<int>(e.primitive) + 1;
+        if (on_shaded) on_shaded(e);
+    }
 };
+
+// draw() with a Watch.
+void draw_watched(const raster::Scene& scene, const raster::Settings& settings, raster::Frame& frame,
+                  Watch& watch);
 
 // Triangles with corners in pixels (x, y) and depth z.
 inline Watch watch_pixels(int width, int height, const std::vector<std::array<pipeline::Vec3, 3>>& triangles,
@@ -122,7 +150,7 @@ inline Watch watch_pixels(int width, int height, const std::vector<std::array<pi
     scene.background = {0, 0, 0};
     raster::Frame frame = frame_of(width, height);
     Watch watch(width, height);
-    raster::draw(scene, settings, frame, watch);
+    draw_watched(scene, settings, frame, watch);
     return watch;
 }
 
