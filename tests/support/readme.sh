@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# The README's C++ program is samples/minimal/teapot.cpp, letter by letter, and its scene can be drawn.
+#   readme.sh ROOT RELEVO
+set -euo pipefail
+root=$1 relevo=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+block() { awk -v start="\`\`\`$1" '$0 == "```" { inside = 0 } inside { print } $0 == start { inside = 1 }' "$root/README.md"; }
+
+block cpp >"$folder/teapot.cpp"
+diff "$root/samples/minimal/teapot.cpp" "$folder/teapot.cpp" ||
+    { echo "README.md and samples/minimal/teapot.cpp differ: make them the same" >&2; exit 1; }
+
+block toml >"$folder/first.toml"
+[ "$(wc -l <"$folder/first.toml")" -ge 15 ] || { echo "README.md has no scene" >&2; exit 1; }
+"$relevo" render "$folder/first.toml" -o "$folder/first.png"
+[ -s "$folder/first.png" ]
