@@ -49,10 +49,11 @@ int run(const Request& request) {
     const auto b = io::read_pixels(request.b);
     if (!b) return refuse(b.error());
     const io::Comparison comparison = io::compare(*a, *b);
+    const bool comparable = comparison.not_comparable.empty();
     const std::string text =
         request.json ? as_json(comparison, request) : io::describe(comparison, request.a, request.b);
-    std::printf("%s\n", text.c_str());
-    if (!comparison.not_comparable.empty()) return wrong_input;
+    std::fprintf(comparable || request.json ? stdout : stderr, "%s\n", text.c_str());
+    if (!comparable) return wrong_input;
     if (!request.difference_file.empty())
         if (const io::Failure failure =
                 io::write_png(request.difference_file, io::difference_picture(*a, *b)))
