@@ -1,7 +1,11 @@
 // The sub-commands of `relevo`, one file each.
 #pragma once
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <string>
+#include <utility>
 
 #include "samples/io/place.hpp"
 
@@ -15,6 +19,13 @@ void add_render(CLI::App& app, int& status);
 void add_steps(CLI::App& app, int& status);
 void add_compare(CLI::App& app, int& status);
 void add_list(CLI::App& app, int& status);
+
+// Formatted text on standard output. A write that fails is left to main, which looks once, at the end.
+template <class... Arguments>
+void say(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
+    const std::string out = fmt::format(text, std::forward<Arguments>(arguments)...);
+    std::fwrite(out.data(), 1, out.size(), stdout);
+}
 
 // One line on standard error; the status that goes with it.
 inline int refuse(const io::FileError& error) {

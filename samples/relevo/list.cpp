@@ -73,7 +73,7 @@ constexpr Item formats[] = {
 };
 
 void print(const Item& item, int indent = 0) {
-    fmt::print("{:{}}{:<{}}  {}\n", "", indent, item.name, 18 - indent, item.sentence);
+    say("{:{}}{:<{}}  {}\n", "", indent, item.name, 18 - indent, item.sentence);
 }
 
 void print_all(std::span<const Item> items) {
@@ -82,10 +82,10 @@ void print_all(std::span<const Item> items) {
 
 template <class Meaning, std::size_t count>
 void print_knob(std::string_view key, const scene::Choice<Meaning> (&choices)[count], Meaning standard) {
-    fmt::print("{}\n", key);
+    say("{}\n", key);
     for (const auto& choice : choices) {
         print({choice.name, choice.sentence}, 2);
-        if (choice.meaning == standard) fmt::print("{:20}(the default)\n", "");
+        if (choice.meaning == standard) say("{:20}(the default)\n", "");
     }
 }
 
@@ -95,14 +95,14 @@ void list_events() { print_all(events); }
 
 void list_formats() {
     print_all(formats);
-    fmt::print("\nShapes made by Relevo itself (mesh = \"name\"):\n");
+    say("\nShapes made by Relevo itself (mesh = \"name\"):\n");
     for (const scene::Generator& generator : scene::generators())
         print({generator.name, generator.sentence}, 2);
 }
 
 void list_knobs() {
     constexpr raster::Settings standard;
-    fmt::print("Keys of [pipeline] in a scene, and of --set key=value:\n\n");
+    say("Keys of [pipeline] in a scene, and of --set key=value:\n\n");
     print_knob("shading", scene::shadings, standard.shading);
     print_knob("texture_filter", scene::texture_filters, standard.texture_filter);
     print_knob("depth", scene::depth_formats, standard.depth);
@@ -123,7 +123,7 @@ void list_accuracy() {
     const std::size_t domain = width("for", [](const Row& row) { return row.domain; });
     const std::size_t unit = width("times", [](const Row& row) { return row.unit; });
     const auto line = [&](auto... columns) {
-        fmt::print("{:<{}}  {:<{}}  {:<{}}  {:>9}  {:<{}}  {:>12}\n", columns...);
+        say("{:<{}}  {:<{}}  {:<{}}  {:>9}  {:<{}}  {:>12}\n", columns...);
     };
     line("approximation", name, "compared with", reference, "for", domain, "error <=", "times", unit,
          "instructions");
@@ -160,7 +160,7 @@ int list(const std::string& what, bool accuracy) {
     if (accuracy) return list_accuracy(), done;
     if (!what.empty()) return list_one(what);
     for (const List& each : lists) {
-        fmt::print("{}{}\n", &each == lists ? "" : "\n", each.name);
+        say("{}{}\n", &each == lists ? "" : "\n", each.name);
         each.print();
     }
     return done;

@@ -1,7 +1,7 @@
 // relevo: draws scenes, shows every stage of the pipeline, compares pictures.
 #include <csignal>
 #include <cstdio>
-#include <span>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -84,6 +84,9 @@ int run(int argc, char** argv) {
         app.exit(asked);
     } catch (const CLI::ParseError& error) {
         return explain(app, error);
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "relevo: there is not enough memory for this\n");
+        return wrong_input;
     }
     return status;
 }

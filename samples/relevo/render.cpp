@@ -36,12 +36,12 @@ io::Failure write_pictures(const RenderOptions& options, const std::string& outp
 void print_statistics(const RenderOptions& options, const scene::Statistics& statistics, double load,
                       double draw) {
     if (options.statistics == "json") {
-        fmt::print("{{\"counts\": {}, \"milliseconds\": {{\"load\": {:.3f}, \"draw\": {:.3f}}}}}\n",
-                   to_json(statistics), load, draw);
+        say("{{\"counts\": {}, \"milliseconds\": {{\"load\": {:.3f}, \"draw\": {:.3f}}}}}\n",
+            to_json(statistics), load, draw);
         return;
     }
-    for (const scene::NamedCount& c : named_counts(statistics)) fmt::print("{:>12}  {}\n", c.count, c.words);
-    fmt::print("{:>12.3f}  milliseconds to load the scene\n{:>12.3f}  milliseconds to draw it\n", load, draw);
+    for (const scene::NamedCount& c : named_counts(statistics)) say("{:>12}  {}\n", c.count, c.words);
+    say("{:>12.3f}  milliseconds to load the scene\n{:>12.3f}  milliseconds to draw it\n", load, draw);
 }
 
 int render(const RenderOptions& options) {
@@ -59,7 +59,8 @@ int render(const RenderOptions& options) {
     const Clock::time_point start = Clock::now();
     const auto loaded = scene::load_scene(options.scene, scene_options);
     if (!loaded) return refuse(loaded.error());
-    for (const std::string& warning : loaded->warnings) fmt::print(stderr, "warning: {}\n", warning);
+    for (const std::string& warning : loaded->warnings)
+        std::fprintf(stderr, "warning: %s\n", warning.c_str());
     const double load = milliseconds_since(start);
 
     raster::Frame frame = scene::make_frame(*loaded);

@@ -7,14 +7,18 @@
 namespace relevo::scene {
 namespace {
 
-bool is_finite(glm::dvec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+// Float arithmetic with larger coordinates soon overflows; false for what is not a number, too.
+bool is_in_range(glm::dvec3 p) {
+    constexpr double largest = 1e30;
+    return std::abs(p.x) <= largest && std::abs(p.y) <= largest && std::abs(p.z) <= largest;
+}
 
 template <class Visit>
 void for_each_vertex(const std::vector<raster::Model>& models, Visit visit) {
     for (const raster::Model& model : models)
         for (const pipeline::Vertex& vertex : model.mesh->vertices) {
             const glm::dvec3 p = model.world_from_object.m * glm::dvec4(glm::dvec3(vertex.position.v), 1.0);
-            if (is_finite(p)) visit(p);
+            if (is_in_range(p)) visit(p);
         }
 }
 

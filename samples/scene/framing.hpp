@@ -7,7 +7,8 @@
 
 namespace relevo::scene {
 
-// The box, along the axes of the world, round all finite vertices; a point at the origin when there are none.
+// The box, along the axes of the world, round all vertices up to 1e30; a point at the origin when there are
+// none.
 struct Bounds {
     glm::dvec3 low{0, 0, 0}, high{0, 0, 0};
     glm::dvec3 center() const { return low + (high - low) * 0.5; }

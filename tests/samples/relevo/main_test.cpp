@@ -62,6 +62,17 @@ TEST(Relevo, AFullStandardOutputIsNoSuccess) {
     EXPECT_EQ(outcome.err, "standard output: cannot be written\n");
 }
 
+#ifndef __SANITIZE_ADDRESS__  // which needs terabytes of addresses, so that no limit can be set
+TEST(Relevo, TooLittleMemoryIsSaid) {
+    const TemporaryFolder folder;
+    folder.write("s.toml", "[[object]]\nmesh = \"cube\"\n");
+    const Outcome outcome = shell(folder, "ulimit -v 200000; $relevo render s.toml --size 8192x8192");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.err, "relevo: there is not enough memory for this\n");
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"s.toml"});
+}
+#endif
+
 TEST(Relevo, AReaderThatGoesAwayEndsItQuietly) {
     const Outcome outcome = shell(TemporaryFolder(), "$relevo list knobs --accuracy | head -1; echo");
     EXPECT_EQ(outcome.status, 0);

@@ -145,7 +145,8 @@ TEST(Render, LegalGeometryThatIsHardIsDrawnAndCounted) {
     EXPECT_EQ(huge.status, 0) << huge.err;
     EXPECT_NE(huge.out.find("\"rejected_non_finite\": 12,"), std::string::npos) << huge.out;
     folder.write("needle.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1e-30 0\nf 1 2 3\nf 1 2 4\n");
-    folder.write("needle.toml", "[[object]]\nmesh = \"needle.obj\"\n");
+    folder.write("needle.toml",
+                 "[camera]\neye = [1, 0, 3]\ntarget = [1, 0, 0]\n[[object]]\nmesh = \"needle.obj\"\n");
     const Outcome needle = run(folder, "render needle.toml --stats=json");
     EXPECT_EQ(needle.status, 0) << needle.err;
     EXPECT_NE(needle.out.find("\"rejected_zero_area\": 2,"), std::string::npos) << needle.out;
