@@ -132,7 +132,7 @@ Stroke wire_stroke(const View& view, std::span<const Segment> wire, Rect area, R
         for (const double t : {t0, t1}) box.add({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), 0});
     }
     if (!(length > 0)) return {color, widest};
-    const double layers = length / std::max(box.size().x * box.size().y, length);
+    const double layers = length / (std::max(box.size().x, 4.0) * std::max(box.size().y, 4.0));
     const double width = std::clamp(sparse / layers, thinnest, widest), ink_of_wire = width * layers;
     const double opacity = std::clamp(dense / ink_of_wire, 0.04, 1.0);
     return {with_opacity(color, static_cast<std::uint8_t>(255 * opacity + 0.5)), width};
@@ -207,9 +207,10 @@ namespace {
 // surfaces.
 bool hides(const Solid& solid, int x, int y, double depth) {
     for (int j = y - 1; j <= y + 1; ++j)
-        for (int i = x - 1; i <= x + 1; ++i)
-            if (!solid.depth.holds(i, j) || depth >= static_cast<double>(solid.depth.at(i, j)) - 2e-3)
-                return false;
+        for (int i = x - 1; i <= x + 1; ++i) {
+            const double there = solid.depth.holds(i, j) ? static_cast<double>(solid.depth.at(i, j)) : 0;
+            if (there == 0 || depth >= there - 2e-3) return false;
+        }
     return true;
 }
 

@@ -22,7 +22,7 @@ inline const std::string cube_scene = R"([image]
 width = 40
 height = 30
 [camera]
-eye = [0, 0.5, 3]
+eye = [0, 1, 3]
 target = [0, 0, 0]
 [[object]]
 mesh = "cube"

@@ -1,0 +1,18 @@
+// All stages on one picture, small: for print, and for the README.
+#pragma once
+#include <span>
+
+#include "samples/show/canvas.hpp"
+
+namespace relevo::show {
+
+inline constexpr int thumbnail_width = 320, thumbnail_height = 240;
+
+// The picture shrunk to fit thumbnail_width x thumbnail_height, each pixel the average of those that it
+// stands for; centred on white. A smaller picture keeps its size.
+Picture thumbnail(const Picture& page);
+
+// Thumbnails in rows of four, in their order.
+Picture strip(std::span<const Picture> thumbnails);
+
+}  // namespace relevo::show
