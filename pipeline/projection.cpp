@@ -33,7 +33,9 @@ Result<Projective<Clip, Eye>> projective(const glm::dmat4& m) {
 }
 
 const char* wrong_planes(double near, double far) {
-    if (!std::isfinite(near) || !(near > 0)) return "near must be more than 0 (and finite)";
+    // also after rounding: a near of 0 would give every point depth 0
+    if (!std::isfinite(near) || !(static_cast<Scalar>(near) > 0))
+        return "near must be more than 0 (and finite)";
     if (std::isnan(far) || !(far > near)) return "far must be more than near (inf is accepted)";
     return nullptr;
 }
