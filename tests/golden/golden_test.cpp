@@ -55,6 +55,21 @@ TEST(Comparison, TellsZerosNotANumbersAndSizesApart) {
     EXPECT_NE(first_difference(small_product(), actual)->find("(the end)"), std::string::npos);
 }
 
+TEST(Comparison, OfAnotherPrecisionForgivesRoundingOnly) {
+    Product rounded = small_product();
+    rounded.text[10] = 'a';  // 0xap+0 where 0x1p+0 was
+    EXPECT_TRUE(large_difference(small_product(), rounded));
+    rounded = small_product();
+    for (auto& c : rounded.picture.pixels()) ++c.r;
+    for (float& v : rounded.numbers.pixels()) v += 1e-6f;
+    EXPECT_FALSE(large_difference(small_product(), rounded));
+    for (int i = 0; i < 9; ++i) rounded.picture.pixels()[std::size_t(i)].g += 9;
+    EXPECT_TRUE(large_difference(small_product(), rounded));
+    rounded = small_product();
+    for (float& v : rounded.numbers.pixels()) v += 0.01f;
+    EXPECT_TRUE(large_difference(small_product(), rounded));
+}
+
 TEST(Comparison, CoverageColorsAreDistinct) {
     std::set<std::uint32_t> seen;
     for (std::uint32_t last = 0; last < 300; ++last)

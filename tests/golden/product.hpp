@@ -21,8 +21,8 @@ std::string hash(const Product& product);
 // The first place where they differ, with both values; nothing when they are the same to the bit.
 std::optional<std::string> first_difference(const Product& expected, const Product& actual);
 
-// Like it, for a machine of another precision (the double preset): most of the picture must agree, and what
-// agrees only to `tolerance`.
+// Like it, for a machine of another precision (the double preset): the words are equal, the numbers agree to
+// 1e-5, at most 8 pixels are off by more than rounding.
 std::optional<std::string> large_difference(const Product& expected, const Product& actual);
 
 // White where they differ, a dim copy of what was expected elsewhere. Sizes must agree.
