@@ -25,7 +25,7 @@ Counted counted(const std::string& text) {
     return out;
 }
 
-// Two unit squares, seen from above by parallel rays: 100 x 100 pixels each; the second lies under the first.
+// Two squares, seen from above by parallel rays: 100 x 100 pixels, and under it 50 x 50.
 const std::string squares = R"([image]
 width = 200
 height = 200
@@ -41,7 +41,7 @@ far = 10
 mesh = "plane"
 [[object]]
 mesh = "plane"
-transform = [{ translate = [0, -1, 0] }]
+transform = [{ scale = 0.5 }, { translate = [0, -1, 0] }]
 )";
 
 TEST(Statistics, CountTwoSquaresOneUnderTheOther) {
@@ -50,9 +50,9 @@ TEST(Statistics, CountTwoSquaresOneUnderTheOther) {
     EXPECT_EQ(s.vertices, 8u);
     EXPECT_EQ(s.pieces, 4u);
     EXPECT_EQ(s.drawn, 4u);
-    EXPECT_EQ(s.covered, 20000u);
+    EXPECT_EQ(s.covered, 12500u);
     EXPECT_EQ(s.depth_passed, 10000u);
-    EXPECT_EQ(s.depth_failed, 10000u);
+    EXPECT_EQ(s.depth_failed, 2500u);
     EXPECT_EQ(s.shaded, 10000u);
     EXPECT_EQ(s.clipped, 0u);
     EXPECT_EQ(s.rejected, (std::array<Statistics::Count, 5>{}));
@@ -81,7 +81,7 @@ transform = [{ scale = 1e-6 }]
     EXPECT_EQ(s.rejected_for(Rejection::Culled), 2u);
     EXPECT_EQ(s.rejected_for(Rejection::ZeroArea), 4u);
     EXPECT_EQ(s.rejected_for(Rejection::NonFinite), 2u);
-    EXPECT_EQ(s.covered, 20000u);
+    EXPECT_EQ(s.covered, 12500u);
 }
 
 TEST(Statistics, CountAClippedTriangle) {
