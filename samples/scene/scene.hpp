@@ -1,7 +1,7 @@
 // A scene file read, checked and ready to draw.
 //
-// The tables and keys are listed in the page "Scenes" of the README; samples/scene/choices.hpp holds the
-// words that [pipeline] accepts. Paths in a scene are relative to the scene file.
+// Tables, keys and defaults are listed in samples/scenes/README.md; samples/scene/choices.hpp holds the words
+// that keys accept. Paths in a scene are relative to the scene file.
 #pragma once
 #include <memory>
 #include <optional>
