@@ -8,7 +8,7 @@ std::int64_t Capture::triangles() const {
     return count;
 }
 
-std::int64_t Capture::corners() const {
+std::int64_t Capture::vertices() const {
     std::int64_t count = 0;
     for (const raster::Model& m : scene().models) count += static_cast<std::int64_t>(m.mesh->vertices.size());
     return count;

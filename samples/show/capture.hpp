@@ -20,7 +20,7 @@ struct Capture {
     const raster::Model& model(std::size_t m) const { return loaded->scene.models[m]; }
     const std::vector<SeenVertex>& vertices(std::size_t m) const { return seen.geometry.models[m]; }
     std::int64_t triangles() const;
-    std::int64_t corners() const;  // vertices of all models
+    std::int64_t vertices() const;  // vertices of all models
     bool reversed_depth() const { return loaded->settings.depth == raster::DepthFormat::Float32Reversed; }
 };
 

@@ -33,7 +33,7 @@ dl div { background: var(--tint); border-radius: .35rem; padding: .15rem .7rem; 
 dt { display: inline; color: var(--soft); }
 dt::after { content: ": "; }
 dd { display: inline; margin: 0; font-variant-numeric: tabular-nums; }
-.turn { display: flex; justify-content: space-between; margin-top: .8rem; }
+.turn { display: flex; justify-content: space-between; margin-top: .8rem; max-width: none; }
 @media print {
   :root { --ink: #000; --soft: #444; --paper: #fff; --tint: #fff; --line: #bbb; --link: #000; }
   body { max-width: none; padding: 0; font-size: 11pt; }

@@ -28,6 +28,7 @@ void say(Canvas canvas, Rect area, const std::string& sentence, bool low) {
     const std::vector<std::string> lines =
         wrapped(sentence, std::max(8, (area.width - 24) / (2 * letter_cell)));
     const int height = 26 * static_cast<int>(lines.size());
+    if (height > area.height) return;  // the panel says it too
     int y = low ? area.bottom() - height - 8 : area.y + (area.height - height) / 2;
     for (const std::string& part : lines) {
         const int width = text_width(part), x = area.x + (area.width - width) / 2;

@@ -30,8 +30,11 @@ std::string share(std::int64_t part, std::int64_t whole) {
                        whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole));
 }
 
-// Stripes that no surface shows: a pixel without a triangle.
-Rgba8 empty_pixel(int x, int y) { return (x + y) / 4 % 2 == 0 ? night : Rgba8{38, 46, 60}; }
+// Stripes that no surface shows: a pixel without a triangle. Finer where pixels are drawn large.
+Rgba8 empty_pixel(int x, int y, int width) {
+    const int stripe = width < 200 ? 1 : 4;
+    return (x + y) / stripe % 2 == 0 ? night : Rgba8{38, 46, 60};
+}
 
 // Each pixel's colour by `paint(SeenPixel, x, y)`, stripes where there is nothing.
 template <class Paint>
@@ -40,7 +43,8 @@ Picture painted(const Capture& capture, Paint&& paint) {
     Picture out(seen.width(), seen.height());
     for (int y = 0; y < seen.height(); ++y)
         for (int x = 0; x < seen.width(); ++x)
-            out.at(x, y) = seen.at(x, y).empty() ? empty_pixel(x, y) : paint(seen.at(x, y), x, y);
+            out.at(x, y) =
+                seen.at(x, y).empty() ? empty_pixel(x, y, seen.width()) : paint(seen.at(x, y), x, y);
     return out;
 }
 
@@ -289,7 +293,7 @@ PanelBlock work_block(const Capture& capture, raster::Shading chosen) {
     };
     return {"Light calculations",
             {row(raster::Shading::Flat, "flat: a face", faces),
-             row(raster::Shading::Gouraud, "Gouraud: a corner", capture.corners()),
+             row(raster::Shading::Gouraud, "Gouraud: a vertex", capture.vertices()),
              row(raster::Shading::Phong, "Phong: a drawn pixel", capture.seen.pixels.passed)}};
 }
 

@@ -100,7 +100,7 @@ StagePage draw_object(const Capture& capture, const Heading& heading) {
     if (shown == 0) say(canvas, page.area, "no model in this scene");
     return {std::move(page.picture),
             {{"models", std::int64_t(models)},
-             {"corners", capture.corners()},
+             {"vertices", capture.vertices()},
              {"triangles", capture.triangles()}},
             {},
             1};
@@ -377,12 +377,12 @@ StagePage draw_eye(const Capture& capture, const Heading& heading) {
     for (std::size_t m = 0; m < capture.scene().models.size(); ++m)
         for (const SeenVertex& v : capture.vertices(m)) behind += v.eye.z >= 0;
     Box box = eye_box(capture);
-    PanelBlock numbers{"Corners in eye space", {}};
+    PanelBlock numbers{"Vertices in eye space", {}};
     if (!box.empty) {
         numbers.rows = {pair("x", range(box.low.x, box.high.x)), pair("y", range(box.low.y, box.high.y)),
                         pair("z", range(box.low.z, box.high.z))};
     }
-    numbers.rows.push_back(pair("in front of the eye", grouped(capture.corners() - behind)));
+    numbers.rows.push_back(pair("in front of the eye", grouped(capture.vertices() - behind)));
     numbers.rows.push_back(pair("behind it (z ≥ 0)", grouped(behind)));
     PanelBlock legend{"Legend",
                       {sample(Kind::Dot, purple, "the eye, at 0, 0, 0"),
@@ -402,7 +402,8 @@ StagePage draw_eye(const Capture& capture, const Heading& heading) {
         frame(canvas, area, rule);
         draw_eye_view(within(canvas, inset(area, 2)), inset(area, 2), capture, box, i == 0);
     }
-    return {std::move(page.picture), {{"corners", capture.corners()}, {"corners_behind_eye", behind}}, {}, 1};
+    return {
+        std::move(page.picture), {{"vertices", capture.vertices()}, {"vertices_behind_eye", behind}}, {}, 1};
 }
 
 }  // namespace relevo::show
