@@ -174,8 +174,8 @@ TEST(Elementary, TheBitsAreTheSameEverywhere) {
     hard::Random r(6);
     std::uint64_t h[5] = {1, 2, 3, 4, 5};
     for (int i = 0; i < 100'000; ++i) {
-        const double angle = std::ldexp(static_cast<double>(r.integer(-(1 << 30), 1 << 30)),
-                                        -static_cast<int>(r.integer(10, 24)));
+        const auto digits = static_cast<double>(r.integer(-(1 << 30), 1 << 30));
+        const double angle = std::ldexp(digits, -static_cast<int>(r.integer(10, 24)));
         const double x = r.unit(), y = r.between(-200, 200);
         h[0] = hash_of(h[0], sin(Degrees{angle}));
         h[1] = hash_of(h[1], cos(Degrees{angle}));
@@ -184,7 +184,7 @@ TEST(Elementary, TheBitsAreTheSameEverywhere) {
         h[4] = hash_of(h[4], static_cast<double>(power(static_cast<Scalar>(x),
                                                        static_cast<Scalar>(i % 3 ? i % 128 + 1 : x * 100))));
     }
-    constexpr std::uint64_t pinned[4] = {5478006633579315533u, 11465433913050196829u, 1434060753988956658u,
+    constexpr std::uint64_t pinned[4] = {15622051356894610568u, 10518913414764706667u, 1434060753988956658u,
                                          2086702079512479199u};
     constexpr std::uint64_t pinned_power = sizeof(Scalar) == 4 ? 4255704315291941576u : 0u;
     const char* const names[4] = {"sin", "cos", "log2", "exp2"};
