@@ -22,13 +22,15 @@ using Long = long double;
 static_assert(std::numeric_limits<Long>::digits >= 64);
 
 pipeline::Projective<Clip, Eye> random_projective(Random& random) {
-    const auto perspective =
-        pipeline::perspective({random.between(10, 120)}, random.between(0.5, 2), random.of_any_size(0.01, 1),
-                              1000, pipeline::DepthRange::Reversed);
-    const auto turn = pipeline::rotation_matrix({random.between(-1, 1), random.between(-1, 1), 1},
-                                                {random.between(0, 360)});
-    const auto move = pipeline::translation_matrix({0, 0, -random.between(1, 50)});
-    return {(*perspective).m * (move * *turn)};
+    // One after the other: the order of a call's arguments is the compiler's to choose.
+    const double fov = random.between(10, 120), aspect = random.between(0.5, 2),
+                 near = random.of_any_size(0.01, 1);
+    const glm::dvec3 axis{random.between(-1, 1), random.between(-1, 1), 1};
+    const double angle = random.between(0, 360), away = random.between(1, 50);
+    const auto clip_from_eye =
+        pipeline::perspective({fov}, aspect, near, 1000, pipeline::DepthRange::Reversed);
+    return {(*clip_from_eye).m *
+            (pipeline::translation_matrix({0, 0, -away}) * *pipeline::rotation_matrix(axis, {angle}))};
 }
 
 Measured measure_vertex() {
