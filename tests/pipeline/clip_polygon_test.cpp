@@ -111,7 +111,7 @@ TEST(ClipPolygon, ASharedEdgeGetsTheSameNewCorners) {
             hard::Random r(hard::seed_of(name, 1));
             // the neighbour beyond the edge t1 t2: walked in the other direction, its third corner anywhere
             const std::array<glm::dvec4, 3> other = {
-                glm::dvec4(r.between(-9, 9), r.between(-9, 9), r.between(-1, 2), r.between(-1, 3)), t[2],
+                glm::dvec4{r.between(-9, 9), r.between(-9, 9), r.between(-1, 2), r.between(-1, 3)}, t[2],
                 t[1]};
             const auto on_edge = [&](const Polygon& p) {
                 std::vector<Corner> found;
@@ -223,7 +223,7 @@ TEST(ClipPolygon, ComplementaryPlanesCoverEachCentreOnce) {
         const auto corner = [&](double x, double y) {
             const double w = r.between(0.5, 4);
             const auto f = [](double v) { return static_cast<double>(static_cast<float>(v)); };
-            return glm::dvec4(f(x * w), f(y * w), f(r.between(-1, 1) * w), f(w));
+            return glm::dvec4{f(x * w), f(y * w), f(r.between(-1, 1) * w), f(w)};
         };
         const glm::dvec4 ring[4] = {corner(-2, -2), corner(2, -2), corner(2, 2), corner(-2, 2)};
         const glm::dvec4 hub = corner(r.between(-1, 1), r.between(-1, 1));
@@ -272,7 +272,7 @@ TEST(ClipPolygon, WithoutItsFourChoicesItWouldBeWrong) {
     const ClipPlane plane{0, 1, 1};
     int direction_matters = 0, not_on_the_plane = 0, clipped = 0;
     for (int i = 0; i < 10'000; ++i) {
-        const auto p = [&](double x) { return glm::dvec4(x, r.between(-1, 1), r.unit(), r.between(0.5, 2)); };
+        const auto p = [&](double x) { return glm::dvec4{x, r.between(-1, 1), r.unit(), r.between(0.5, 2)}; };
         const glm::dvec4 in = p(r.between(-1, 0.4)), out = p(r.between(2, 5));
         const double d_in = distance_inside(plane, in), d_out = distance_inside(plane, out);
         const auto from_in = in + (d_in / (d_in - d_out)) * (out - in),
