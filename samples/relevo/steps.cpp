@@ -25,7 +25,8 @@ int steps(const StepsArguments& arguments) {
     }
     const auto loaded = scene::load_scene(arguments.scene, scene_options);
     if (!loaded) return refuse(loaded.error());
-    for (const std::string& warning : loaded->warnings) fmt::print(stderr, "warning: {}\n", warning);
+    for (const std::string& warning : loaded->warnings)
+        std::fprintf(stderr, "warning: %s\n", warning.c_str());
     if (const io::Failure failure = show::write_steps(*loaded, arguments.steps)) return refuse(*failure);
     return done;
 }

@@ -12,6 +12,7 @@
 #include "samples/io/suggest.hpp"
 #include "samples/show/index_page.hpp"
 #include "samples/show/stages.hpp"
+#include "samples/show/strip.hpp"
 
 namespace relevo::show {
 namespace {
@@ -154,6 +155,7 @@ io::Failure write_draft(const scene::LoadedScene& loaded, const std::vector<std:
     const double capture_ms = watch.lap();
     std::vector<StageRecord> records;
     std::vector<StageTime> times;
+    std::vector<Picture> thumbnails;
     const auto path_of = [&](const std::string& file) {
         return files.push_back(file), (place.draft / file).string();
     };
@@ -164,11 +166,14 @@ io::Failure write_draft(const scene::LoadedScene& loaded, const std::vector<std:
         times.push_back({std::string(stage.name), watch.lap(), 0});
         if (auto failure = io::write_png(path_of(file), page.picture))
             return renamed_failure(failure, place, file);
+        thumbnails.push_back(thumbnail(page.picture));
         times.back().write_ms = watch.lap();
         records.push_back({static_cast<int>(index) + 1, std::string(stage.name), file,
                            std::string(stage.sentence), std::move(page.counts), page.picture.width(),
                            page.picture.height()});
     }
+    if (auto failure = io::write_png(path_of("strip.png"), strip(thumbnails)))
+        return renamed_failure(failure, place, "strip.png");
     const std::array<std::pair<std::string, std::string>, 3> lists{
         {{"steps.json", steps_json(loaded, records)},
          {"timing.json", timing_json(capture_ms, times)},

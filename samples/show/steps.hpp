@@ -1,5 +1,5 @@
-// Everything behind `relevo steps`: a picture of every stage of a scene, with steps.json, timing.json and
-// index.html.
+// Everything behind `relevo steps`: a picture of every stage of a scene, strip.png with all of them small,
+// and steps.json, timing.json and index.html.
 #pragma once
 #include <string>
 #include <vector>
@@ -17,10 +17,10 @@ struct StepsOptions {
     std::vector<std::string> stages;  // names; empty: all. They are drawn in the pipeline's order, each once
 };
 
-// Writes NN-stage.png for each stage and the three lists. All files appear at the end, or none: when
-// something fails, nothing is left behind, and a folder that was made is removed. The same scene gives the
-// same bytes, except for timing.json. Errors: an unknown stage, a picture above max_steps_size, a folder or
-// file that cannot be written.
+// Writes NN-stage.png for each stage, strip.png and the three lists. All files appear at the end, or none:
+// when something fails, nothing is left behind, and a folder that was made is removed. The same scene gives
+// the same bytes, except for timing.json. Errors: an unknown stage, a picture above max_steps_size, a folder
+// or file that cannot be written.
 io::Failure write_steps(const scene::LoadedScene& loaded, const StepsOptions& options);
 
 }  // namespace relevo::show

@@ -1,12 +1,12 @@
 #include "samples/show/strip.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace relevo::show {
 namespace {
 
 constexpr int columns = 4, gap = 4;
-constexpr Rgba8 paper{255, 255, 255, 255};
 
 // The average of the source pixels [x0, x1) x [y0, y1), rounded to nearest.
 Rgba8 average(const Picture& source, int x0, int x1, int y0, int y1) {
@@ -24,35 +24,36 @@ Rgba8 average(const Picture& source, int x0, int x1, int y0, int y1) {
 }  // namespace
 
 Picture thumbnail(const Picture& page) {
-    // the smaller of both scales as a fraction over / under, at most 1
+    // the smaller of both scales as a fraction, at most 1
     const bool wide = page.width() * thumbnail_height > page.height() * thumbnail_width;
-    int over = wide ? thumbnail_width : thumbnail_height, under = wide ? page.width() : page.height();
-    if (over > under) over = under;
-    const int width = std::max(1, page.width() * over / under),
-              height = std::max(1, page.height() * over / under);
-    Picture small(thumbnail_width, thumbnail_height, paper);
-    const int left = (thumbnail_width - width) / 2, top = (thumbnail_height - height) / 2;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            small.at(left + x, top + y) =
-                average(page, x * page.width() / width,
-                        std::max(x * page.width() / width + 1, (x + 1) * page.width() / width),
-                        y * page.height() / height,
-                        std::max(y * page.height() / height + 1, (y + 1) * page.height() / height));
+    const int under = wide ? page.width() : page.height();
+    const int over = std::min(under, wide ? thumbnail_width : thumbnail_height);
+    Picture small(std::max(1, page.width() * over / under), std::max(1, page.height() * over / under));
+    const auto edge = [](int k, int from, int to) { return k * from / to; };
+    for (int y = 0; y < small.height(); ++y)
+        for (int x = 0; x < small.width(); ++x)
+            small.at(x, y) =
+                average(page, edge(x, page.width(), small.width()), edge(x + 1, page.width(), small.width()),
+                        edge(y, page.height(), small.height()), edge(y + 1, page.height(), small.height()));
     return small;
 }
 
 Picture strip(std::span<const Picture> thumbnails) {
-    const int count = static_cast<int>(thumbnails.size()), across = std::clamp(count, 1, columns);
-    const int rows = std::max(1, (count + across - 1) / across);
-    Picture all(across * (thumbnail_width + gap) + gap, rows * (thumbnail_height + gap) + gap,
-                Rgba8{200, 205, 212, 255});
-    for (int k = 0; k < count; ++k) {
-        const Picture& one = thumbnails[std::size_t(k)];
-        const int left = gap + k % across * (thumbnail_width + gap),
-                  top = gap + k / across * (thumbnail_height + gap);
-        for (int y = 0; y < thumbnail_height; ++y)
-            std::copy_n(one.row(y), thumbnail_width, all.row(top + y) + left);
+    std::vector<int> tops{gap};  // where each row begins, and the end of the last
+    for (std::size_t k = 0; k < thumbnails.size(); k += columns) {
+        int height = 0;
+        for (const Picture& one :
+             thumbnails.subspan(k, std::min(thumbnails.size() - k, std::size_t{columns})))
+            height = std::max(height, one.height());
+        tops.push_back(tops.back() + height + gap);
+    }
+    const int across = std::clamp(static_cast<int>(thumbnails.size()), 1, columns);
+    Picture all(across * (thumbnail_width + gap) + gap, tops.back(), rule);
+    for (std::size_t k = 0; k < thumbnails.size(); ++k) {
+        const Picture& one = thumbnails[k];
+        const int left = gap + static_cast<int>(k % columns) * (thumbnail_width + gap),
+                  top = tops[k / columns];
+        for (int y = 0; y < one.height(); ++y) std::copy_n(one.row(y), one.width(), all.row(top + y) + left);
     }
     return all;
 }

@@ -6,10 +6,10 @@
 
 namespace relevo::show {
 
-inline constexpr int thumbnail_width = 320, thumbnail_height = 240;
+inline constexpr int thumbnail_width = 240, thumbnail_height = 180;
 
-// The picture shrunk to fit thumbnail_width x thumbnail_height, each pixel the average of those that it
-// stands for; centred on white. A smaller picture keeps its size.
+// The picture shrunk to fit into thumbnail_width x thumbnail_height, each pixel the average of those that it
+// stands for. A smaller picture keeps its size.
 Picture thumbnail(const Picture& page);
 
 // Thumbnails in rows of four, in their order.

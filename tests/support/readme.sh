@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The README's C++ program is samples/minimal/teapot.cpp, letter by letter, and its scene can be drawn.
+# The README's C++ program is samples/minimal/teapot.cpp, letter by letter, its scene can be drawn, and its picture is
+# what the program draws today.
 #   readme.sh ROOT RELEVO
 set -euo pipefail
 root=$1 relevo=$2
@@ -15,3 +16,7 @@ block toml >"$folder/first.toml"
 [ "$(wc -l <"$folder/first.toml")" -ge 15 ] || { echo "README.md has no scene" >&2; exit 1; }
 "$relevo" render "$folder/first.toml" -o "$folder/first.png"
 [ -s "$folder/first.png" ]
+
+"$relevo" steps "$root/samples/scenes/still_life.toml" -o "$folder/still_life"
+"$relevo" compare "$root/samples/strip.png" "$folder/still_life/strip.png" ||
+    { echo "samples/strip.png is not what the demo draws: copy out/still_life/strip.png over it" >&2; exit 1; }

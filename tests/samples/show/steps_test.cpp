@@ -20,7 +20,7 @@ using io::TemporaryFolder;
 std::vector<std::string> all_files() {
     std::vector<std::string> files;
     for (std::size_t i = 0; i < stages().size(); ++i) files.push_back(stage_file(i));
-    files.insert(files.end(), {"index.html", "steps.json", "timing.json"});
+    files.insert(files.end(), {"index.html", "steps.json", "strip.png", "timing.json"});
     return files;
 }
 
@@ -84,7 +84,7 @@ TEST(Steps, DrawsOnlyTheChosenStagesInTheirOrder) {
     ASSERT_EQ(write_steps(loaded, {folder.path("out"), {"depth", "object", "depth"}}), std::nullopt);
     EXPECT_EQ(names_in(folder.path("out")),
               (std::vector<std::string>{"01-object.png", "10-depth.png", "index.html", "steps.json",
-                                        "timing.json"}));
+                                        "strip.png", "timing.json"}));
 }
 
 TEST(Steps, AnUnknownStageIsRefusedWithASuggestion) {
