@@ -6,8 +6,8 @@
 //
 // Four choices keep it exact (each one has a test with the input that breaks its absence):
 //   * double, in the weighted form (d_in V_out - d_out V_in) / (d_in - d_out): no t that rounds to 0 or 1;
-//   * always from the inside corner to the outside one, so two triangles that share an edge get the same new
-//   corner;
+//   and
+//     swapping the ends turns both signs around, so two triangles that share an edge get the same new corner;
 //   * the coordinate that a plane fixes is written exactly onto the plane;
 //   * planes that no corner lies beyond are not visited.
 #pragma once
@@ -100,12 +100,13 @@ ClipPolygon<N> clip_against(const ClipPolygon<N>& in, std::span<const ClipPlane>
     for (int i = 0; i < in.size; ++i) {
         const ClipCorner<N>& a = in.corners[std::size_t(i)];
         const ClipCorner<N>& b = in.corners[std::size_t(i + 1 == in.size ? 0 : i + 1)];
-        const bool a_inside = distance_inside(plane, a.position) >= 0,
-                   b_inside = distance_inside(plane, b.position) >= 0;
-        if (a_inside) out.push(a);
-        if (a_inside == b_inside) continue;
-        const ClipCorner<N>& inside = a_inside ? a : b;
-        const ClipCorner<N>& outside = a_inside ? b : a;
+        const double a_distance = distance_inside(plane, a.position),
+                     b_distance = distance_inside(plane, b.position);
+        if (a_distance >= 0) out.push(a);
+        const bool crosses = a_distance > 0 ? b_distance < 0 : a_distance < 0 && b_distance > 0;
+        if (!crosses) continue;  // a corner on the plane is its own crossing
+        const ClipCorner<N>& inside = a_distance > 0 ? a : b;
+        const ClipCorner<N>& outside = a_distance > 0 ? b : a;
         const ClipCorner<N> made = crossing(plane, 1u << which, inside, outside, planes);
         note<EdgeCrossed>(probe, plane, inside.position, outside.position, made.position);
         out.push(made);

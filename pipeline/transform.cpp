@@ -25,9 +25,12 @@ glm::dvec3 unit(glm::dvec3 v) {
 
 double determinant_of(const glm::dmat3& m) { return dot3(m[0], cross3(m[1], m[2])); }
 
-// The upper left 3 x 3 part times a power of two that brings its largest entry to [1, 2); zero stays zero.
-glm::dmat3 scaled_linear_part(const glm::dmat4& map) {
-    glm::dmat3 m{glm::dvec3(map[0]), glm::dvec3(map[1]), glm::dvec3(map[2])};
+glm::dmat3 linear_part(const glm::dmat4& map) {
+    return {glm::dvec3(map[0]), glm::dvec3(map[1]), glm::dvec3(map[2])};
+}
+
+// The matrix times a power of two that brings its largest entry to [1, 2); zero stays zero.
+glm::dmat3 scaled(glm::dmat3 m) {
     const double largest = std::max({largest_of(m[0]), largest_of(m[1]), largest_of(m[2])});
     if (!(largest > 0) || !std::isfinite(largest)) return m;
     const int e = std::ilogb(largest);
@@ -88,11 +91,11 @@ Result<Affine<Eye, World>> look_at(glm::dvec3 eye, glm::dvec3 target, glm::dvec3
 }
 
 glm::dmat3 normal_matrix(const glm::dmat4& map) {
-    const glm::dmat3 m = scaled_linear_part(map);
-    const glm::dmat3 cofactors{cross3(m[1], m[2]), cross3(m[2], m[0]), cross3(m[0], m[1])};
+    const glm::dmat3 m = scaled(linear_part(map));
+    const glm::dmat3 cofactors = scaled({cross3(m[1], m[2]), cross3(m[2], m[0]), cross3(m[0], m[1])});
     return is_mirrored(map) ? -cofactors : cofactors;
 }
 
-bool is_mirrored(const glm::dmat4& map) { return determinant_of(scaled_linear_part(map)) < 0; }
+bool is_mirrored(const glm::dmat4& map) { return determinant_of(scaled(linear_part(map))) < 0; }
 
 }  // namespace relevo::pipeline

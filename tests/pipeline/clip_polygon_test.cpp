@@ -252,9 +252,10 @@ TEST(ClipPolygon, TheProbeSeesEveryPlaneAndNewCorner) {
                                          glm::dvec4(0, 2, 0.5, 1)};
     const Polygon p = clip_polygon(polygon_of(t), view_volume_planes, all_planes, steps);
     EXPECT_EQ(steps.planes, 6);
-    EXPECT_EQ(steps.crossed, 6) << "left, right and top cut two edges each";
+    EXPECT_EQ(steps.crossed, 4)
+        << "left and right cut two edges each, top goes through the corners made there";
     EXPECT_EQ(steps.corners, p.size);
-    EXPECT_EQ(p.size, 6);
+    EXPECT_EQ(p.size, 4);
 }
 
 TEST(ClipPolygon, OnlyThePlanesAskedForAreVisited) {
@@ -297,6 +298,22 @@ TEST(ClipPolygon, WithoutItsFourChoicesItWouldBeWrong) {
     EXPECT_TRUE(found) << "the weighted form keeps it";
     const float a = 1e30f;
     EXPECT_FALSE(std::isfinite(a * a)) << "d_in * V_out in float, for coordinates of 1e30";
+}
+
+TEST(ClipPolygon, ACornerOnThePlaneIsNotMadeAgain) {
+    // corner b lies on z = w; the edge to c leaves through it
+    ClipPolygon<0> triangle;
+    for (const glm::dvec4 p :
+         {glm::dvec4(0, 0, 0.25, 1), glm::dvec4(0.3, 0.1, 0.7, 0.7), glm::dvec4(0.5, 0, 3, 1)})
+        triangle.push({p, {}, 0});
+    const auto out = clip_polygon(triangle, guard_planes, code_z_high);
+    ASSERT_EQ(out.size, 3) << "a, b and the crossing of c a";
+    EXPECT_EQ(out.corners[1].position, triangle.corners[1].position);
+    ClipPolygon<0> touching;  // one corner on the plane, the others beyond: nothing to draw
+    for (const glm::dvec4 p :
+         {glm::dvec4(0.3, 0.1, 0.7, 0.7), glm::dvec4(0.5, 0, 3, 1), glm::dvec4(0, 0.5, 3, 1)})
+        touching.push({p, {}, 0});
+    EXPECT_LT(clip_polygon(touching, guard_planes, code_z_high).size, 3);
 }
 
 }  // namespace

@@ -126,9 +126,16 @@ TEST(Transform, NormalsOfExtremeMapsAreUsable) {
             EXPECT_LT(length_of(glm::dvec3(normalize(n.v)) - glm::dvec3(0, 0, sign.z)), 1e-6) << size;
             EXPECT_EQ(is_mirrored(map.m), sign.x * sign.y * sign.z < 0);
         }
+    const Affine<World, Object> uneven{scaling_matrix({1e-19, 1e19, 1})};
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3 along{0, 0, 0};
+        along[axis] = 1;
+        const Vec3 n = normalize((normal_map(uneven) * Normal<Object>{along}).v);
+        EXPECT_LT(length_of(glm::dvec3(n) - glm::dvec3(along)), 1e-6) << axis;
+    }
     const Affine<World, Object> flat{scaling_matrix({2, 3, 0})};
-    const Vec3 n = normalize((normal_map(flat) * Normal<Object>{{Scalar(0.3), 0, Scalar(0.5)}}).v);
-    EXPECT_LT(length_of(glm::dvec3(n) - glm::dvec3(0, 0, 1)), 1e-6) << "the normal of the plane";
+    const Vec3 m = normalize((normal_map(flat) * Normal<Object>{{Scalar(0.3), 0, Scalar(0.5)}}).v);
+    EXPECT_LT(length_of(glm::dvec3(m) - glm::dvec3(0, 0, 1)), 1e-6) << "the normal of the plane";
     const Affine<World, Object> moved{translation_matrix({1e9, -5, 3})};
     EXPECT_EQ((normal_map(moved) * Normal<Object>{{1, 2, 3}}).v, Vec3(1, 2, 3))
         << "a translation moves no normal";
