@@ -57,7 +57,7 @@ TEST(Relevo, SaysWhatItDoesNotKnow) {
 }
 
 TEST(Relevo, AFullStandardOutputIsNoSuccess) {
-    const Outcome outcome = shell(TemporaryFolder(), "$relevo list >/dev/full");
+    const Outcome outcome = shell(TemporaryFolder(), "relevo list >/dev/full");
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.err, "standard output: cannot be written\n");
 }
@@ -66,7 +66,7 @@ TEST(Relevo, AFullStandardOutputIsNoSuccess) {
 TEST(Relevo, TooLittleMemoryIsSaid) {
     const TemporaryFolder folder;
     folder.write("s.toml", "[[object]]\nmesh = \"cube\"\n");
-    const Outcome outcome = shell(folder, "ulimit -v 200000; $relevo render s.toml --size 8192x8192");
+    const Outcome outcome = shell(folder, "ulimit -v 200000; relevo render s.toml --size 8192x8192");
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.err, "relevo: there is not enough memory for this\n");
     EXPECT_EQ(folder.names(), std::vector<std::string>{"s.toml"});
@@ -74,7 +74,7 @@ TEST(Relevo, TooLittleMemoryIsSaid) {
 #endif
 
 TEST(Relevo, AReaderThatGoesAwayEndsItQuietly) {
-    const Outcome outcome = shell(TemporaryFolder(), "$relevo list knobs --accuracy | head -1; echo");
+    const Outcome outcome = shell(TemporaryFolder(), "relevo list knobs --accuracy | head -1; echo");
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.err, "");
 }

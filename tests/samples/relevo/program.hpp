@@ -14,11 +14,11 @@ struct Outcome {
     std::string out, err;  // of a run in `folder`, whose name is taken out
 };
 
-// `line` is shell text in which $relevo is the program; the current folder is `folder`.
+// `line` is shell text in which `relevo` is the program; the current folder is `folder`.
 inline Outcome shell(const io::TemporaryFolder& folder, const std::string& line) {
     const io::TemporaryFolder streams;
     const std::string script =
-        "relevo='" RELEVO_PROGRAM "'; cd '" + folder.path("") + "' || exit 99; " + line;
+        "relevo() { '" RELEVO_PROGRAM "' \"$@\"; }; cd '" + folder.path("") + "' || exit 99; " + line;
     const std::string file = streams.write("script", script);
     const int raw = std::system(
         ("bash '" + file + "' >'" + streams.path("out") + "' 2>'" + streams.path("err") + "'").c_str());
@@ -27,7 +27,7 @@ inline Outcome shell(const io::TemporaryFolder& folder, const std::string& line)
 }
 
 inline Outcome run(const io::TemporaryFolder& folder, const std::string& arguments) {
-    return shell(folder, "$relevo " + arguments);
+    return shell(folder, "relevo " + arguments);
 }
 
 }  // namespace relevo::command

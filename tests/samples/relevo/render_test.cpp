@@ -83,7 +83,7 @@ TEST(Render, StatisticsAsTextAndAsJson) {
     EXPECT_EQ(json.status, 0);
     EXPECT_EQ(json.out.substr(0, 43), "{\"counts\": {\"triangles\": 12, \"vertices\": 24") << json.out;
     EXPECT_NE(json.out.find("\"milliseconds\": {\"load\": "), std::string::npos);
-    expect_refused(folder, "$relevo render --stats=jsn s.toml",
+    expect_refused(folder, "relevo render --stats=jsn s.toml",
                    "--stats=jsn: accepted: json, text, did you mean 'json'?");
 }
 
@@ -92,7 +92,7 @@ TEST(Render, RefusesBadSizes) {
     folder.write("s.toml", small);
     for (const std::string size :
          {"0x0", "1e9x1e9", "1000000000x1000000000", "8193x8193", "-5x5", "5", "axb"})
-        expect_refused(folder, "$relevo render s.toml --size=" + size,
+        expect_refused(folder, "relevo render s.toml --size=" + size,
                        "--size " + size + ": accepted: WIDTHxHEIGHT, two whole numbers from 1 to 8192");
 }
 
@@ -100,11 +100,11 @@ TEST(Render, RefusesBadSettings) {
     const TemporaryFolder folder;
     folder.write("s.toml", small);
     expect_refused(
-        folder, "$relevo render s.toml --set shading=phog",
+        folder, "relevo render s.toml --set shading=phog",
         "--set shading=phog: pipeline.shading is \"phog\", accepted: unlit, flat, gouraud, phong, did you "
         "mean 'phong'?");
     expect_refused(
-        folder, "$relevo render s.toml --set cul=none",
+        folder, "relevo render s.toml --set cul=none",
         "--set cul=none: unknown key pipeline.cul, accepted: shading, texture_filter, depth, cull, did you "
         "mean 'cull'?");
 }
@@ -113,7 +113,7 @@ TEST(Render, RefusesBadScenes) {
     const TemporaryFolder folder;
     const auto with = [&](const std::string& more, const std::string& error) {
         folder.write("s.toml", small + more);
-        expect_refused(folder, "$relevo render s.toml", error);
+        expect_refused(folder, "relevo render s.toml", error);
     };
     with("[camera]\nnear = 0\n", "s.toml:7:8: camera.near is 0, accepted: more than 0 (finite)");
     with("[camera]\nnear = 3\nfar = 2\n",
@@ -129,7 +129,7 @@ TEST(Render, RefusesBadScenes) {
     with("[[object]]\nmesh = \"none.obj\"\n", "s.toml:7:8: object.mesh: none.obj: there is no such file");
     with("[[object]]\nmesh = \"none.solid\"\n", "s.toml:7:8: object.mesh: none.solid: there is no such file");
     with("[= 3]\n", "s.toml:6:2: this is not TOML: unexpected here");
-    expect_refused(folder, "$relevo render nowhere.toml", "nowhere.toml: there is no such file");
+    expect_refused(folder, "relevo render nowhere.toml", "nowhere.toml: there is no such file");
 }
 
 TEST(Render, LegalGeometryThatIsHardIsDrawnAndCounted) {
@@ -155,10 +155,10 @@ TEST(Render, LegalGeometryThatIsHardIsDrawnAndCounted) {
 TEST(Render, AnOutputThatCannotBeWrittenLeavesTheOldFile) {
     const TemporaryFolder folder;
     folder.write("s.toml", small);
-    expect_refused(folder, "$relevo render s.toml -o missing/x.png",
+    expect_refused(folder, "relevo render s.toml -o missing/x.png",
                    "missing/x.png: cannot be written: No such file or directory");
     folder.write("old.png", "the old bytes");
-    const Outcome full = shell(folder, "ulimit -f 1; $relevo render s.toml --size 900x900 -o old.png");
+    const Outcome full = shell(folder, "ulimit -f 1; relevo render s.toml --size 900x900 -o old.png");
     EXPECT_EQ(full.status, 2);
     EXPECT_EQ(full.err, "old.png: cannot be written: File too large\n");
     EXPECT_EQ(io::bytes_of(folder.path("old.png")), "the old bytes");
