@@ -5,9 +5,9 @@
 // out: the same winding, no corner beyond a plane, empty when nothing is left
 //
 // Four choices keep it exact (each one has a test with the input that breaks its absence):
-//   * double, in the weighted form (d_in V_out - d_out V_in) / (d_in - d_out): no t that rounds to 0 or 1;
-//   and
-//     swapping the ends turns both signs around, so two triangles that share an edge get the same new corner;
+//   * double, so that no product overflows;
+//   * the weighted form (d_in V_out - d_out V_in) / (d_in - d_out): there is no t to round to 0 or 1, and
+//     swapping the ends turns both signs around, so triangles that share an edge get the same new corner;
 //   * the coordinate that a plane fixes is written exactly onto the plane;
 //   * planes that no corner lies beyond are not visited.
 #pragma once

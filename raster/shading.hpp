@@ -12,6 +12,7 @@
 //
 // All of it happens in eye space. With a texture, base is the texel, else the material's colour.
 #pragma once
+#include <algorithm>
 #include <array>
 
 #include "pipeline/cull.hpp"

@@ -39,11 +39,10 @@ struct Texture {
 Texture make_texture(int width, int height, int channels, std::span<const std::uint8_t> top_down,
                      Encoding encoding);
 
-// The texel at or below `coordinate` (in texels * 256, minus half a texel) and how far towards the next, in
-// 1/256.
+// The two texels of a row or column whose centres a coordinate lies between, and how far towards the second.
 struct TexelPosition {
     int low, high;         // both in 0..size-1
-    std::uint32_t weight;  // 0..255, of `high`
+    std::uint32_t weight;  // of `high`, in 1/256: 0..255
 };
 
 // The fraction of a repeating coordinate, in [0, 1]; u = -1e-9f gives exactly 1. Not a number counts as 0.
