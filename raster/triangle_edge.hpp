@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "pipeline/viewport.hpp"
+#include "raster/pixel.hpp"
 
 namespace relevo::raster {
 
@@ -83,11 +84,7 @@ constexpr bool is_covered(const Triangle& t, const EdgeValues& e) {
     return ((e.e0 - t.bias[0]) | (e.e1 - t.bias[1]) | (e.e2 - t.bias[2])) >= 0;
 }
 
-// The pixels whose centres can lie inside, cut to the picture; empty when x0 > x1 or y0 > y1.
-struct PixelBox {
-    int x0, y0, x1, y1;  // inclusive
-    constexpr bool empty() const { return x0 > x1 || y0 > y1; }
-};
+// The pixels whose centres can lie inside, cut to the picture.
 constexpr PixelBox pixel_box(const SnappedCorner (&c)[3], int width, int height) {
     const auto [left, right] = std::minmax({c[0].x, c[1].x, c[2].x});
     const auto [top, bottom] = std::minmax({c[0].y, c[1].y, c[2].y});
@@ -96,11 +93,6 @@ constexpr PixelBox pixel_box(const SnappedCorner (&c)[3], int width, int height)
     return {std::max((left + 127) >> 8, 0), std::max((top + 127) >> 8, 0),
             std::min((right - 128) >> 8, width - 1), std::min((bottom - 128) >> 8, height - 1)};
 }
-
-// Pixels x0 <= x < x1 of a row.
-struct Span {
-    int x0, x1;
-};
 
 // The covered pixels of a row: a triangle is convex, so they are one span. `e` are the edge values at pixel
 // box.x0. Along the row an edge value is E + k s, exactly, so E + k s >= bias solves to k >= ceil((bias - E)

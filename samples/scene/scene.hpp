@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "raster/scene.hpp"
+#include "raster/shape.hpp"
 #include "samples/io/place.hpp"
 
 namespace relevo::scene {
@@ -34,6 +35,17 @@ struct ModelDescription {
     bool had_normals = true;  // false: they were averaged from the faces
 };
 
+// The axes of a two-dimensional lesson in the words of the scene file: pixel (0, 0) is the point (left, top),
+// a unit is a pixel, and y grows upwards or downwards.
+struct Axes {
+    int left = 0, top = 0;
+    bool y_up = false;
+    double x_of(double pixel_x) const { return left + pixel_x; }
+    double y_of(double pixel_y) const { return y_up ? top - pixel_y : top + pixel_y; }
+    double pixel_x(double x) const { return x - left; }
+    double pixel_y(double y) const { return y_up ? top - y : y - top; }
+};
+
 // Owns the meshes and textures that `scene.models` points to; may be moved, not copied.
 struct LoadedScene {
     std::string name;  // of the file, without folder and ending
@@ -41,6 +53,8 @@ struct LoadedScene {
     raster::Scene scene;
     raster::Settings settings;
     int width = 640, height = 480;  // 1..max_picture_size
+    raster::ShapeScene shapes;      // a two-dimensional lesson when it has shapes: then there are no models
+    Axes axes;
     CameraDescription camera;
     std::vector<ModelDescription> descriptions;  // one a model
     std::vector<std::string> warnings;           // whole lines, with their place: worth showing, not wrong
