@@ -37,7 +37,7 @@ struct ModelDescription {
 
 // The axes of a two-dimensional lesson in the words of the scene file: pixel (0, 0) is the point (left, top),
 // a unit is a pixel, and y grows upwards or downwards.
-struct Axes {
+struct LessonAxes {
     int left = 0, top = 0;
     bool y_up = false;
     double x_of(double pixel_x) const { return left + pixel_x; }
@@ -54,7 +54,7 @@ struct LoadedScene {
     raster::Settings settings;
     int width = 640, height = 480;  // 1..max_picture_size
     raster::ShapeScene shapes;      // a two-dimensional lesson when it has shapes: then there are no models
-    Axes axes;
+    LessonAxes axes;
     CameraDescription camera;
     std::vector<ModelDescription> descriptions;  // one a model
     std::vector<std::string> warnings;           // whole lines, with their place: worth showing, not wrong

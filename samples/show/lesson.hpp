@@ -2,7 +2,7 @@
 // fills in a Lesson; lesson_sheet.hpp draws it, lesson_files.hpp writes it.
 //
 // Places are in pixels of the scene: whole numbers are pixel centres, x to the right, y down. Words name
-// places by the axes of the scene (scene::Axes), so that a reader finds the numbers of the scene file.
+// places by the axes of the scene (scene::LessonAxes), so that a reader finds the numbers of the scene file.
 #pragma once
 #include <string>
 #include <vector>
