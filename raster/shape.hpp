@@ -32,7 +32,8 @@ enum class Antialiasing {
     None,         // a pixel belongs to the shape or not
     Area,         // the covered part of the pixel's square (section 8.1, unweighted)
     Weighted,     // a cone of radius 1 over the shape (section 8.2)
-    Supersample,  // samples x samples points a pixel
+    Supersample,  // samples x samples points a pixel, each shape by itself
+    Multisample,  // the same points, but shapes share them: no seam between neighbours
 };
 
 enum class FillRule { TopLeft, Book };  // which edges belong to an area: left and top rows; or fig. 5.8's
