@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "raster/scene.hpp"
+#include "raster/shape.hpp"
 #include "samples/scene/scene.hpp"
 
 namespace relevo::scene {
@@ -57,5 +58,112 @@ inline constexpr Choice<pipeline::Light::Kind> light_types[] = {
     {"point", pipeline::Light::Kind::Point, "shines from one position in all directions"},
     {"directional", pipeline::Light::Kind::Directional, "shines in one direction, as the sun does"},
 };
+
+// ------------------------------------------------------------------------------------------- of lessons
+inline constexpr Choice<raster::ShapeKind> shape_kinds[] = {
+    {"line", raster::ShapeKind::Line, "from one point to another"},
+    {"polyline", raster::ShapeKind::Polyline, "lines from point to point"},
+    {"circle", raster::ShapeKind::Circle, "center and radius; filled = true makes a disc"},
+    {"ellipse", raster::ShapeKind::Ellipse, "center and radius = [across, down]"},
+    {"rectangle", raster::ShapeKind::Rectangle, "the area between two opposite corners"},
+    {"triangle", raster::ShapeKind::Triangle, "the area between three corners"},
+    {"polygon", raster::ShapeKind::Polygon, "the area inside of an outline, which may cross itself"},
+};
+
+inline constexpr Choice<raster::ScanAlgorithm> scan_algorithms[] = {
+    {"midpoint", raster::ScanAlgorithm::Midpoint,
+     "lines, circles, ellipses: the pixel on the curve's side of the midpoint (Bresenham 1965)"},
+    {"second-order", raster::ScanAlgorithm::SecondOrder,
+     "circles, ellipses: the same pixels by differences of differences"},
+    {"textbook", raster::ScanAlgorithm::Textbook,
+     "ellipses as printed in section 5.3, which loses the tips of flat ones"},
+    {"dda", raster::ScanAlgorithm::Dda, "lines: one addition of the slope a step"},
+    {"explicit", raster::ScanAlgorithm::Explicit,
+     "lines: y = a x + B a column, with gaps where the line is steep"},
+    {"wu", raster::ScanAlgorithm::Wu, "lines: two pixels a step, weighted by their distance (Wu 1991)"},
+    {"gupta-sproull", raster::ScanAlgorithm::GuptaSproull,
+     "lines: three pixels a step, weighted by a cone (Gupta and Sproull 1981)"},
+    {"scanline", raster::ScanAlgorithm::Scanline,
+     "rectangles; triangles by the long edge and edges 2 and 3 (section 5.4)"},
+    {"edge-function", raster::ScanAlgorithm::EdgeFunction, "triangles: three signs a pixel (Pineda 1988)"},
+    {"active-edges", raster::ScanAlgorithm::ActiveEdges,
+     "areas: the edges that cross a row, from left to right"},
+};
+
+inline constexpr Choice<raster::Antialiasing> antialiasings[] = {
+    {"none", raster::Antialiasing::None, "a pixel belongs to the shape or not"},
+    {"area", raster::Antialiasing::Area, "the part of the pixel's square that the shape covers"},
+    {"weighted", raster::Antialiasing::Weighted, "the same, weighted by a cone around the pixel's centre"},
+    {"supersample", raster::Antialiasing::Supersample,
+     "samples x samples points a pixel, each shape by itself"},
+    {"multisample", raster::Antialiasing::Multisample,
+     "the same points, which all shapes share: no seam between neighbours"},
+};
+
+inline constexpr Choice<raster::FillRule> fill_rules[] = {
+    {"top-left", raster::FillRule::TopLeft,
+     "a pixel centre on the top or left edge of an area belongs to it"},
+    {"book", raster::FillRule::Book, "on the bottom or left edge, as fig. 5.8 of the textbook has it"},
+};
+
+inline constexpr Choice<raster::InsideRule> inside_rules[] = {
+    {"non-zero", raster::InsideRule::NonZero, "inside is what the outline goes around"},
+    {"even-odd", raster::InsideRule::EvenOdd,
+     "inside is what an odd number of edges separates from far away"},
+};
+
+inline constexpr Choice<raster::LineClipper> line_clippers[] = {
+    {"cohen-sutherland", raster::LineClipper::CohenSutherland, "by outcodes, one side of the window a turn"},
+    {"cyrus-beck", raster::LineClipper::CyrusBeck, "by entering and leaving values of t; any convex window"},
+    {"liang-barsky", raster::LineClipper::LiangBarsky, "the same, made short for upright windows"},
+    {"midpoint", raster::LineClipper::MidpointSubdivision, "by halving what is neither inside nor outside"},
+};
+
+inline constexpr Choice<raster::PolygonClipper> polygon_clippers[] = {
+    {"sutherland-hodgman", raster::PolygonClipper::SutherlandHodgman, "one pass over all corners a side"},
+    {"pipeline", raster::PolygonClipper::SutherlandHodgmanPipeline,
+     "the same without lists in between: each corner goes through all sides"},
+    {"greiner-hormann", raster::PolygonClipper::GreinerHormann,
+     "walks along both outlines; the window may be concave (Greiner and Hormann 1998)"},
+};
+
+inline constexpr Choice<raster::Side> sides[] = {
+    {"left", raster::Side::Left, "as seen in the picture"},
+    {"right", raster::Side::Right, "as seen in the picture"},
+    {"bottom", raster::Side::Bottom, "as seen in the picture"},
+    {"top", raster::Side::Top, "as seen in the picture"},
+};
+
+// What a kind of shape takes; the first is the default.
+inline std::vector<raster::ScanAlgorithm> algorithms_of(raster::ShapeKind kind) {
+    using enum raster::ScanAlgorithm;
+    switch (kind) {
+        case raster::ShapeKind::Line:
+        case raster::ShapeKind::Polyline:
+            return {Midpoint, Dda, Explicit, Wu, GuptaSproull};
+        case raster::ShapeKind::Circle:
+            return {Midpoint, SecondOrder};
+        case raster::ShapeKind::Ellipse:
+            return {Midpoint, SecondOrder, Textbook};
+        case raster::ShapeKind::Rectangle:
+            return {Scanline, ActiveEdges};
+        case raster::ShapeKind::Triangle:
+            return {Scanline, EdgeFunction, ActiveEdges};
+        case raster::ShapeKind::Polygon:
+            return {ActiveEdges};
+    }
+    return {};
+}
+inline std::vector<raster::Antialiasing> antialiasings_of(raster::ShapeKind kind) {
+    using enum raster::Antialiasing;
+    if (kind == raster::ShapeKind::Circle || kind == raster::ShapeKind::Ellipse) return {None, Area};
+    return {None, Area, Weighted, Supersample, Multisample};
+}
+template <class Meaning, std::size_t count>
+std::string_view name_of(Meaning meaning, const Choice<Meaning> (&choices)[count]) {
+    for (const auto& choice : choices)
+        if (choice.meaning == meaning) return choice.name;
+    return "";
+}
 
 }  // namespace relevo::scene

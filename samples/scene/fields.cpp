@@ -97,21 +97,29 @@ bool Fields::flag(std::string_view key, bool fallback) const {
     return fallback;
 }
 
+std::vector<double> Fields::numbers(const Value& value, std::string_view key,
+                                    std::span<const Range> ranges) const {
+    constexpr std::string_view counts[] = {"no", "one", "two", "three", "four"};
+    std::vector<double> out(ranges.size());
+    const auto* list = std::get_if<std::vector<Value>>(&value.data);
+    if (!list || list->size() != ranges.size()) {
+        const std::string found = list ? fmt::format("a list of {}", list->size()) : describe(value);
+        diagnosis_->say(value.place,
+                        fmt::format("{} is {}, accepted: {} numbers in brackets, each {}", full(key), found,
+                                    counts[ranges.size()], ranges[0].accepted));
+        return out;
+    }
+    for (std::size_t i = 0; i < ranges.size(); ++i)
+        out[i] = as_number((*list)[i], fmt::format("{}[{}]", key, i), ranges[i]).value_or(0);
+    return out;
+}
+
 glm::dvec3 Fields::triple(std::string_view key, glm::dvec3 fallback, const Range& range) const {
     const Value* value = find(key);
     if (!value) return fallback;
-    const auto* list = std::get_if<std::vector<Value>>(&value->data);
-    if (!list || list->size() != 3) {
-        const std::string found = list ? fmt::format("a list of {}", list->size()) : describe(*value);
-        diagnosis_->say(value->place, fmt::format("{} is {}, accepted: three numbers in brackets, each {}",
-                                                  full(key), found, range.accepted));
-        return fallback;
-    }
-    glm::dvec3 out{0, 0, 0};
-    for (int i = 0; i < 3; ++i)
-        out[i] =
-            as_number((*list)[static_cast<std::size_t>(i)], fmt::format("{}[{}]", key, i), range).value_or(0);
-    return out;
+    const Range ranges[] = {range, range, range};
+    const std::vector<double> n = numbers(*value, key, ranges);
+    return {n[0], n[1], n[2]};
 }
 
 pipeline::LinearRgb Fields::color(std::string_view key, pipeline::LinearRgb fallback,

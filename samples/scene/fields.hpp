@@ -59,6 +59,8 @@ class Fields {
     std::string text(std::string_view key, const std::string& fallback) const;
     bool flag(std::string_view key, bool fallback) const;
     glm::dvec3 triple(std::string_view key, glm::dvec3 fallback, const Range& range = any_number) const;
+    // A list of as many numbers as there are ranges, which is called `key` in messages; zeros when it is not.
+    std::vector<double> numbers(const Value& list, std::string_view key, std::span<const Range> ranges) const;
     pipeline::LinearRgb color(std::string_view key, pipeline::LinearRgb fallback, const Range& range) const;
 
     template <class Meaning, std::size_t count>

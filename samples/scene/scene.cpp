@@ -2,14 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <tuple>
 
 #include "samples/io/file.hpp"
 #include "samples/io/suggest.hpp"
+#include "samples/io/words.hpp"
 #include "samples/scene/camera.hpp"
 #include "samples/scene/objects.hpp"
+#include "samples/scene/shapes2d.hpp"
 
 namespace relevo::scene {
 namespace {
@@ -17,7 +20,8 @@ namespace {
 using pipeline::max_picture_size;
 using pipeline::Scalar;
 
-constexpr std::string_view tables[] = {"image", "camera", "light", "object", "pipeline"};
+constexpr std::string_view tables[] = {"image", "camera", "light",   "object",
+                                       "axes",  "clip",   "shape2d", "pipeline"};
 constexpr std::string_view image_keys[] = {"width", "height", "background", "output"};
 constexpr std::string_view light_keys[] = {"type", "position", "direction", "color"};
 constexpr std::string_view pipeline_keys[] = {"shading", "texture_filter", "depth", "cull"};
@@ -25,7 +29,9 @@ constexpr std::string_view pipeline_keys[] = {"shading", "texture_filter", "dept
 // The tables of the document: empty where the file has none.
 struct Tables {
     Value image, camera, pipeline;
-    std::vector<Value> lights, objects;
+    std::optional<Value> axes, clip;
+    std::vector<Value> lights, objects, shapes;
+    bool lesson() const { return !shapes.empty(); }
 };
 
 std::vector<Value> list_of_tables(const Entry& entry, Diagnosis& diagnosis) {
@@ -35,9 +41,26 @@ std::vector<Value> list_of_tables(const Entry& entry, Diagnosis& diagnosis) {
     return {};
 }
 
+// A scene is made of objects or of shapes; the tables of the other kind have no place in it.
+void refuse_foreign_tables(const Table& document, const Tables& found, Diagnosis& diagnosis) {
+    constexpr std::string_view of_objects[] = {"camera", "light"}, of_shapes[] = {"axes", "clip"};
+    const auto refuse = [&](const Entry& entry, std::span<const std::string_view> keys, std::string_view of,
+                            std::string_view here) {
+        if (std::find(keys.begin(), keys.end(), entry.key) != keys.end())
+            diagnosis.say(entry.place,
+                          fmt::format("{} is for {}, and this scene is made of {}", entry.key, of, here));
+    };
+    for (const Entry& entry : document) {
+        if (found.lesson() && entry.key == "object")
+            diagnosis.say(entry.place, "a scene is made of [[object]]s or of [[shape2d]]s, not of both");
+        if (found.lesson()) refuse(entry, of_objects, "[[object]]s", "[[shape2d]]s");
+        if (!found.objects.empty()) refuse(entry, of_shapes, "[[shape2d]]s", "[[object]]s");
+    }
+}
+
 Tables split(const Value& document, const std::string& path, Diagnosis& diagnosis) {
     const Value empty{{path, 1, 1}, Table{}};
-    Tables out{empty, empty, empty, {}, {}};
+    Tables out{empty, empty, empty, {}, {}, {}, {}, {}};
     for (const Entry& entry : std::get<Table>(document.data)) {
         if (entry.key == "image")
             out.image = entry.value;
@@ -45,34 +68,43 @@ Tables split(const Value& document, const std::string& path, Diagnosis& diagnosi
             out.camera = entry.value;
         else if (entry.key == "pipeline")
             out.pipeline = entry.value;
+        else if (entry.key == "axes")
+            out.axes = entry.value;
+        else if (entry.key == "clip")
+            out.clip = entry.value;
         else if (entry.key == "light")
             out.lights = list_of_tables(entry, diagnosis);
         else if (entry.key == "object")
             out.objects = list_of_tables(entry, diagnosis);
+        else if (entry.key == "shape2d")
+            out.shapes = list_of_tables(entry, diagnosis);
         else
             diagnosis.say(entry.place,
                           fmt::format("unknown table or key {}, accepted: [image], [camera], [[light]], "
-                                      "[[object]], [pipeline]{}",
+                                      "[[object]], [axes], [clip], [[shape2d]], [pipeline]{}",
                                       entry.key, io::suggestion(entry.key, tables)));
     }
-    if (out.objects.empty())
-        diagnosis.say({path, 0, 0}, "there is no [[object]]: a scene needs at least one, with a mesh");
+    if (out.objects.empty() && out.shapes.empty())
+        diagnosis.say({path, 0, 0},
+                      "there is no [[object]] with a mesh and no [[shape2d]]: a scene needs at least one");
+    refuse_foreign_tables(std::get<Table>(document.data), out, diagnosis);
     return out;
 }
 
 // "key=value" replaces or adds a key of [pipeline]; its place in messages is the option itself.
-void apply_options(const std::vector<std::string>& options, Value& pipeline, Diagnosis& diagnosis) {
+void apply_options(const std::vector<std::string>& options, std::span<const std::string_view> keys,
+                   Value& pipeline, Diagnosis& diagnosis) {
     auto* table = std::get_if<Table>(&pipeline.data);
     for (const std::string& option : options) {
         const io::Place place{"--set " + option, 0, 0};
         const std::size_t equals = option.find('=');
         if (equals == std::string::npos || equals == 0)
-            return diagnosis.say(place,
-                                 "accepted: key=value, with a key of [pipeline]: " + joined(pipeline_keys));
-        const std::string key = option.substr(0, equals);
+            return diagnosis.say(place, "accepted: key=value, with a key of [pipeline]: " + joined(keys));
+        const std::string key = option.substr(0, equals), text = option.substr(equals + 1);
         if (!table) return;
         std::erase_if(*table, [&](const Entry& entry) { return entry.key == key; });
-        table->push_back({key, place, Value{place, option.substr(equals + 1)}});
+        const auto number = io::parse_integer(text);
+        table->push_back({key, place, number ? Value{place, *number} : Value{place, text}});
     }
 }
 
@@ -86,8 +118,9 @@ raster::Settings read_pipeline(const Value& table, Diagnosis& diagnosis) {
     return settings;
 }
 
-void read_image(const Value& table, LoadedScene& out, Diagnosis& diagnosis) {
-    const Fields fields(table, "image", image_keys, diagnosis);
+void read_image(const Value& table, std::span<const std::string_view> keys, LoadedScene& out,
+                Diagnosis& diagnosis) {
+    const Fields fields(table, "image", keys, diagnosis);
     out.width = fields.whole("width", out.width, 1, max_picture_size);
     out.height = fields.whole("height", out.height, 1, max_picture_size);
     out.scene.background = fields.color("background", out.scene.background, zero_to_one);
@@ -125,27 +158,44 @@ pipeline::Light read_light(const Value& table, const SceneCamera& camera, Diagno
     return light;
 }
 
-// All tables in turn; the first thing that is wrong stays in `diagnosis`.
-void read_tables(const Tables& tables_found, const std::string& path, const SceneOptions& options,
-                 LoadedScene& out, Diagnosis& diagnosis) {
-    out.settings = read_pipeline(tables_found.pipeline, diagnosis);
-    read_image(tables_found.image, out, diagnosis);
+// What lessons and scenes of objects have in common.
+void read_picture(const Tables& found, const SceneOptions& options, LoadedScene& out, Diagnosis& diagnosis) {
+    if (found.lesson())
+        read_image(found.image, lesson_image_keys, out, diagnosis);
+    else
+        read_image(found.image, image_keys, out, diagnosis);
     refuse_size(options.size, diagnosis);
     if (options.size) std::tie(out.width, out.height) = *options.size;
+}
+
+void read_objects(const Tables& found, const std::string& path, LoadedScene& out, Diagnosis& diagnosis) {
     const auto encoding =
         out.settings.output == raster::Output::Srgb ? raster::Encoding::Srgb : raster::Encoding::Raw;
     ObjectReader objects(out, std::filesystem::path(path).parent_path().string(), encoding, diagnosis);
-    for (const Value& object : tables_found.objects)
+    for (const Value& object : found.objects)
         if (diagnosis.fine()) objects.read(object);
     if (!diagnosis.fine()) return;
-    const SceneCamera camera = read_camera(tables_found.camera, double(out.width) / out.height,
-                                           out.settings.depth, out.scene.models, diagnosis);
+    const SceneCamera camera = read_camera(found.camera, double(out.width) / out.height, out.settings.depth,
+                                           out.scene.models, diagnosis);
     out.scene.camera = camera.camera;
     out.camera = camera.description;
-    for (const Value& light : tables_found.lights)
-        out.scene.lights.push_back(read_light(light, camera, diagnosis));
-    if (tables_found.lights.empty())
+    for (const Value& light : found.lights) out.scene.lights.push_back(read_light(light, camera, diagnosis));
+    if (found.lights.empty())
         out.scene.lights.push_back(read_light(Value{{path, 1, 1}, Table{}}, camera, diagnosis));
+}
+
+// All tables in turn; the first thing that is wrong stays in `diagnosis`.
+void read_tables(const Tables& found, const std::string& path, const SceneOptions& options, LoadedScene& out,
+                 Diagnosis& diagnosis) {
+    if (found.lesson()) {
+        read_picture(found, options, out, diagnosis);
+        read_lesson({found.image, found.pipeline, found.axes, found.clip, found.shapes}, options.size, out,
+                    diagnosis);
+    } else {
+        out.settings = read_pipeline(found.pipeline, diagnosis);
+        read_picture(found, options, out, diagnosis);
+        read_objects(found, path, out, diagnosis);
+    }
 }
 
 }  // namespace
@@ -156,7 +206,9 @@ io::FileResult<LoadedScene> parse_scene(std::string_view text, const std::string
     if (!document) return document.error();
     Diagnosis diagnosis;
     Tables tables_found = split(*document, path, diagnosis);
-    apply_options(options.set, tables_found.pipeline, diagnosis);
+    const std::span<const std::string_view> keys =
+        tables_found.lesson() ? std::span<const std::string_view>(lesson_pipeline_keys) : pipeline_keys;
+    apply_options(options.set, keys, tables_found.pipeline, diagnosis);
     LoadedScene out;
     out.path = path;
     out.name = std::filesystem::path(path).stem().string();

@@ -53,6 +53,7 @@ struct LoadedScene {
     raster::Scene scene;
     raster::Settings settings;
     int width = 640, height = 480;  // 1..max_picture_size
+    int zoom = 1;                   // of a lesson: render draws each pixel zoom x zoom
     raster::ShapeScene shapes;      // a two-dimensional lesson when it has shapes: then there are no models
     LessonAxes axes;
     CameraDescription camera;
@@ -61,6 +62,8 @@ struct LoadedScene {
     std::vector<std::unique_ptr<const pipeline::Mesh>> meshes;
     std::vector<std::unique_ptr<const raster::Texture>> textures;
 };
+
+inline bool is_lesson(const LoadedScene& scene) { return !scene.shapes.shapes.empty(); }
 
 // What the command line changes: `set` holds "key=value" for keys of [pipeline], `size` replaces width and
 // height.

@@ -149,26 +149,24 @@ TEST_P(BadScene, IsRefusedAtItsPlace) { EXPECT_EQ(error_of(GetParam().text), Get
 
 INSTANTIATE_TEST_SUITE_P(
     Document, BadScene,
-    testing::Values(Bad{"[image]\nwidth = 5\n",
-                        "scene.toml: there is no [[object]]: a scene needs at least one, with a mesh"},
-                    Bad{"width = 3\n[[object]]\nmesh = \"cube\"",
-                        "scene.toml:1:1: unknown table or key width, accepted: [image], [camera], [[light]], "
-                        "[[object]], [pipeline]"},
-                    Bad{"[[objekt]]\nmesh = \"cube\"",
-                        "scene.toml:1:3: unknown table or key objekt, accepted: [image], [camera], "
-                        "[[light]], [[object]], "
-                        "[pipeline], did you mean 'object'?"},
-                    Bad{"[object]\nmesh = \"cube\"",
-                        "scene.toml:1:2: [object] is one table, accepted: [[object]], which may be repeated"},
-                    Bad{"[[image]]\nwidth = 3\n[[object]]\nmesh = \"cube\"",
-                        "scene.toml:1:1: image is a list, accepted: a table"},
-                    Bad{"camera = 3\n[[object]]\nmesh = \"cube\"",
-                        "scene.toml:1:10: camera is 3, accepted: a table"},
-                    Bad{"object = [1]", "scene.toml:1:11: object is 1, accepted: a table"},
-                    Bad{"[[object]]\nmesh = \"cube\"\n[animation]\nframes = 3",
-                        "scene.toml:3:2: unknown table or key animation, accepted: [image], [camera], "
-                        "[[light]], [[object]], "
-                        "[pipeline]"}));
+    testing::Values(
+        Bad{"[image]\nwidth = 5\n",
+            "scene.toml: there is no [[object]] with a mesh and no [[shape2d]]: a scene needs at least one"},
+        Bad{"width = 3\n[[object]]\nmesh = \"cube\"",
+            "scene.toml:1:1: unknown table or key width, accepted: [image], [camera], [[light]], "
+            "[[object]], [axes], [clip], [[shape2d]], [pipeline]"},
+        Bad{"[[objekt]]\nmesh = \"cube\"",
+            "scene.toml:1:3: unknown table or key objekt, accepted: [image], [camera], "
+            "[[light]], [[object]], [axes], [clip], [[shape2d]], [pipeline], did you mean 'object'?"},
+        Bad{"[object]\nmesh = \"cube\"",
+            "scene.toml:1:2: [object] is one table, accepted: [[object]], which may be repeated"},
+        Bad{"[[image]]\nwidth = 3\n[[object]]\nmesh = \"cube\"",
+            "scene.toml:1:1: image is a list, accepted: a table"},
+        Bad{"camera = 3\n[[object]]\nmesh = \"cube\"", "scene.toml:1:10: camera is 3, accepted: a table"},
+        Bad{"object = [1]", "scene.toml:1:11: object is 1, accepted: a table"},
+        Bad{"[[object]]\nmesh = \"cube\"\n[animation]\nframes = 3",
+            "scene.toml:3:2: unknown table or key animation, accepted: [image], [camera], "
+            "[[light]], [[object]], [axes], [clip], [[shape2d]], [pipeline]"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Image, BadScene,
