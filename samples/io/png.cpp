@@ -16,15 +16,8 @@
 namespace relevo::io {
 namespace {
 
-struct Target {
-    const std::string& path;
-    Failure failure;
-};
-
 void take_bytes(void* user, void* bytes, int size) {
-    Target& target = *static_cast<Target*>(user);
-    target.failure =
-        write_file(target.path, {static_cast<const char*>(bytes), static_cast<std::size_t>(size)});
+    static_cast<std::string*>(user)->assign(static_cast<const char*>(bytes), static_cast<std::size_t>(size));
 }
 
 // The pixels without their alpha.
@@ -35,23 +28,35 @@ std::vector<std::uint8_t> rgb_rows(const raster::Image<raster::Rgba8>& image) {
     return rows;
 }
 
+// The encoder counts bytes in int.
+bool too_large(const raster::Image<raster::Rgba8>& image, int channels) {
+    return (std::size_t(image.width()) * std::size_t(channels) + 1) * std::size_t(image.height()) >
+           0x7fffffff;
+}
+
 }  // namespace
 
-Failure write_png(const std::string& path, const raster::Image<raster::Rgba8>& image) {
+std::string png_bytes(const raster::Image<raster::Rgba8>& image, int channels) {
     static_assert(sizeof(raster::Rgba8) == 4);
+    std::string bytes;
+    if (image.empty() || too_large(image, channels)) return bytes;
+    const std::vector<std::uint8_t> rgb = channels == 3 ? rgb_rows(image) : std::vector<std::uint8_t>();
+    const void* const rows = channels == 3 ? static_cast<const void*>(rgb.data()) : image.pixels().data();
+    stbi_write_png_to_func(take_bytes, &bytes, image.width(), image.height(), channels, rows,
+                           image.width() * channels);
+    return bytes;
+}
+
+Failure write_png(const std::string& path, const raster::Image<raster::Rgba8>& image) {
     if (image.empty()) return error_in(path, "cannot be written: the picture has no pixels");
     const bool opaque = std::all_of(image.pixels().begin(), image.pixels().end(),
                                     [](const raster::Rgba8& pixel) { return pixel.a == 255; });
-    const std::vector<std::uint8_t> rgb = opaque ? rgb_rows(image) : std::vector<std::uint8_t>();
-    const void* const rows = opaque ? static_cast<const void*>(rgb.data()) : image.pixels().data();
     const int channels = opaque ? 3 : 4;
-    // The encoder counts bytes in int.
-    if ((std::size_t(image.width()) * std::size_t(channels) + 1) * std::size_t(image.height()) > 0x7fffffff)
+    if (too_large(image, channels))
         return error_in(path, "cannot be written: the picture is too large for a PNG file, at most 2 GB");
-    Target target{path, error_in(path, "cannot be written: not enough memory for the PNG encoder")};
-    stbi_write_png_to_func(take_bytes, &target, image.width(), image.height(), channels, rows,
-                           image.width() * channels);
-    return target.failure;
+    const std::string bytes = png_bytes(image, channels);
+    if (bytes.empty()) return error_in(path, "cannot be written: not enough memory for the PNG encoder");
+    return write_file(path, bytes);
 }
 
 }  // namespace relevo::io

@@ -12,4 +12,8 @@ namespace relevo::io {
 // The same picture gives the same bytes. Errors: an empty picture, and those of write_file.
 Failure write_png(const std::string& path, const raster::Image<raster::Rgba8>& image);
 
+// The bytes of such a file with 3 (alpha is left out) or 4 channels; empty for an empty picture, one above
+// 2 GB and when memory is short.
+std::string png_bytes(const raster::Image<raster::Rgba8>& image, int channels);
+
 }  // namespace relevo::io
