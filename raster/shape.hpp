@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
+#include "pipeline/clip_plane.hpp"
 #include "pipeline/color.hpp"
 #include "raster/output.hpp"
 #include "raster/pixel.hpp"
@@ -57,7 +58,7 @@ struct Shape {
 
 enum class LineClipper { CohenSutherland, CyrusBeck, LiangBarsky, MidpointSubdivision };
 enum class PolygonClipper { SutherlandHodgman, SutherlandHodgmanPipeline, GreinerHormann };
-enum class Side { Left, Right, Bottom, Top };  // of the clip window, as seen in the picture
+using pipeline::Side;
 
 // The window that shapes are cut at: a box, or a polygon when `polygon` has corners.
 struct ShapeClip {
