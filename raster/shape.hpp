@@ -45,12 +45,12 @@ struct Shape {
     std::vector<glm::vec2>
         points;  // corners in order; rectangle: two opposite ones; circle, ellipse: the centre
     float radius_x = 0, radius_y = 0;
-    bool filled = false;  // circle, ellipse; areas always are
+    bool filled = false;  // circle, ellipse; rectangles, triangles and polygons always are
     ScanAlgorithm algorithm = ScanAlgorithm::Midpoint;
     Antialiasing antialiasing = Antialiasing::None;
-    int samples = 4;           // Supersample: along each side of the pixel, 1..16
-    float width = 1;           // of lines and outlines, pixels
-    bool even_weight = false;  // aliased lines: dimmed by slope, so that all look equally thick
+    int samples = 4;           // Supersample, Multisample: along each side of the pixel, 1..16
+    float width = 1;           // of lines and outlines, pixels; an aliased line of another width is an area
+    bool even_weight = false;  // aliased lines of width 1: dimmed by slope, so that all look equally thick
     InsideRule inside = InsideRule::NonZero;
     pipeline::LinearRgb color{1, 1, 1};
     float opacity = 1;

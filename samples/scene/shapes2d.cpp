@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/clip_plane.hpp"
+
 namespace relevo::scene {
 namespace {
 
@@ -369,29 +371,6 @@ class ShapeReader {
 };
 
 // ------------------------------------------------------------------------------------------------- [clip]
-// Convex: all turns go the same way, and along the outline x turns back only twice. Corners on a straight
-// edge and repeated ones are no harm.
-bool is_convex(const std::vector<Point>& corners) {
-    const std::size_t n = corners.size();
-    int turn = 0, last_across = 0, returns = 0;
-    glm::dvec2 before{0, 0};
-    for (std::size_t i = 0; i < 2 * n; ++i) {
-        const glm::dvec2 edge = glm::dvec2(corners[(i + 1) % n]) - glm::dvec2(corners[i % n]);
-        if (edge == glm::dvec2(0, 0)) continue;
-        const double cross = before.x * edge.y - before.y * edge.x;
-        const double ahead = before.x * edge.x + before.y * edge.y;
-        if (cross == 0 && ahead < 0) return false;  // back on its own way
-        if (cross != 0 && turn != 0 && (cross > 0) != (turn > 0)) return false;
-        if (cross != 0) turn = cross > 0 ? 1 : -1;
-        const int across = edge.x > 0 ? 1 : edge.x < 0 ? -1 : 0;
-        if (i >= n && across != 0 && across != last_across)
-            ++returns;  // in the second round: all are counted
-        if (across != 0) last_across = across;
-        before = edge;
-    }
-    return turn != 0 && returns == 2;
-}
-
 void read_window(const Fields& fields, const Places& places, raster::ShapeClip& clip) {
     const std::vector<double> n = places.box(fields, "window");
     if (!fields.diagnosis().fine()) return;
@@ -413,7 +392,9 @@ void read_polygon(const Fields& fields, const Places& places, raster::ShapeClip&
     for (std::size_t i = 0; i < list->size() && fields.diagnosis().fine(); ++i)
         clip.polygon.push_back(places.point(fields, (*list)[i], fmt::format("polygon[{}]", i)));
     if (!fields.diagnosis().fine()) return;
-    const bool convex = is_convex(clip.polygon);
+    const auto window = pipeline::convex_window(clip.polygon);
+    const bool convex = bool(window);
+    if (!convex && window.error() == pipeline::Refusal::NoArea) return fields.refuse("polygon", words);
     if (!convex && clip.polygons != raster::PolygonClipper::GreinerHormann)
         fields.diagnosis().say(fields.place("polygon"),
                                fmt::format("clip.polygon is not convex, which polygons = \"{}\" cannot do; "

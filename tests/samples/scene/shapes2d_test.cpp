@@ -407,9 +407,8 @@ INSTANTIATE_TEST_SUITE_P(
             "a "
             "convex one, or polygons = \"greiner-hormann\""},
         Bad{"[clip]\npolygon = [[0, 0], [4, 4], [9, 9]]\n[[shape2d]]",
-            "2:11: clip.polygon is not convex, which polygons = \"sutherland-hodgman\" cannot do; accepted: "
-            "a "
-            "convex one, or polygons = \"greiner-hormann\""},
+            "2:11: clip.polygon is a list, accepted: at least three corners [x, y] that do not lie on one "
+            "line"},
         Bad{"[clip]\npolygon = [[0, 0], [8, 0], [0, 8]]\nlines = \"liang-barsky\"\n[[shape2d]]",
             "3:9: clip.lines is \"liang-barsky\", accepted: \"cyrus-beck\": the others know upright windows "
             "only"},
