@@ -1,0 +1,51 @@
+#include "raster/cone_table.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+#include "pipeline/elementary.hpp"
+
+namespace relevo::raster {
+namespace {
+
+// Two halvings of the angle, atan x = 2 atan(x / (1 + sqrt(1 + x^2))), bring |x| <= 1 below 0.199; then the
+// series x - x^3/3 + x^5/5 ..., whose first term left out is below 2^-59.
+double arc_tangent(double x) {
+    for (int i = 0; i < 2; ++i) x /= 1 + std::sqrt(1 + x * x);
+    double sum = 0;
+    for (int n = 23; n > 0; n -= 2) sum = 1.0 / n - x * x * sum;
+    return 4 * x * sum;
+}
+
+ConeTable make_table() {
+    ConeTable table{};
+    constexpr int n = ConeTable::steps;
+    for (int i = 0; i <= n; ++i) {
+        const double above = cone_half_plane(static_cast<double>(i) / n) - 0.5;
+        const auto part = static_cast<std::int32_t>(std::floor(above * 0x1p30 + 0.5));
+        table.at[static_cast<std::size_t>(n + i)] = (1 << 29) + part;
+        table.at[static_cast<std::size_t>(n - i)] = (1 << 29) - part;
+    }
+    table.at.back() = 1 << 30;
+    return table;
+}
+
+}  // namespace
+
+double cone_half_plane(double s) {
+    if (s < 0) return 1 - cone_half_plane(-s);
+    if (s < 0x1p-60) return 0.5;
+    if (s >= 1) return 1;
+    constexpr double ln2 = 0x1.62e42fefa39efp-1;
+    const double length = std::sqrt((1 - s) * (1 + s));
+    const double arc_sine = 2 * arc_tangent(s / (1 + length));
+    const double logarithm = ln2 * pipeline::log2((1 + length) / s);
+    return 0.5 + (2 * s * length + arc_sine - s * s * s * logarithm) / pipeline::pi;
+}
+
+const ConeTable& cone_table() {
+    static const ConeTable table = make_table();
+    return table;
+}
+
+}  // namespace relevo::raster
