@@ -2,26 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "samples/show/html.hpp"
 #include "samples/show/numbers.hpp"
 
 namespace relevo::show {
 namespace {
 
 constexpr std::string_view style = R"(
-:root { color-scheme: light dark; --ink: #181e25; --soft: #56616d; --paper: #ffffff; --tint: #f3f5f8; --line: #dde2e8; --link: #0062a0; }
-@media (prefers-color-scheme: dark) {
-  :root { --ink: #e8ecf1; --soft: #a3afbc; --paper: #14191f; --tint: #1e252d; --line: #343e49; --link: #6cb8ea; }
-}
-* { box-sizing: border-box; }
-html { scroll-behavior: smooth; }
-body { margin: 0 auto; max-width: 82rem; padding: 1.5rem clamp(.8rem, 3vw, 2.5rem) 4rem; background: var(--paper); color: var(--ink);
-  font: 1.0625rem/1.55 system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif; }
-h1 { font-size: clamp(1.6rem, 4vw, 2.3rem); line-height: 1.2; margin: .5rem 0; overflow-wrap: anywhere; }
-h2 { font-size: 1.5rem; margin: 0 0 .2rem; }
-h2 span { color: var(--soft); font-weight: 400; margin-right: .35em; font-variant-numeric: tabular-nums; }
-p { margin: .3rem 0 .8rem; max-width: 65rem; }
-a { color: var(--link); }
-.soft { color: var(--soft); }
 nav ol { list-style: none; margin: 1.5rem 0 0; padding: 0; display: grid; gap: .8rem; grid-template-columns: repeat(auto-fill, minmax(8.5rem, 1fr)); }
 nav a { display: block; text-decoration: none; }
 nav img { display: block; width: 100%; aspect-ratio: 4 / 3; object-fit: cover; object-position: top left; border: 1px solid var(--line); border-radius: .35rem; background: #fff; }
@@ -43,23 +30,6 @@ dd { display: inline; margin: 0; font-variant-numeric: tabular-nums; }
   figure img { max-height: 75vh; width: auto; }
 }
 )";
-
-std::string escaped(std::string_view words_of_page) {
-    std::string out;
-    for (const char c : words_of_page) {
-        if (c == '&')
-            out += "&amp;";
-        else if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else if (c == '"')
-            out += "&quot;";
-        else
-            out += c;
-    }
-    return out;
-}
 
 std::string shown(const Count& count) {
     if (const auto* whole = std::get_if<std::int64_t>(&count.value)) return grouped(*whole);
@@ -108,15 +78,14 @@ std::string index_page(const scene::LoadedScene& loaded, std::span<const StageRe
     for (const raster::Model& m : loaded.scene.models)
         triangles += static_cast<std::int64_t>(m.mesh->triangles());
     const std::string title = escaped(loaded.name) + ": the pipeline step by step";
-    std::string page = fmt::format(
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, "
-        "initial-scale=1\">\n<title>{0}</title>\n<style>{1}</style>\n</head>\n"
-        "<body id=\"top\">\n<header>\n<h1>{0}</h1>\n<p class=\"soft\">{2}, {3}, {4} × {5} pixels. "
-        "The same numbers for programs: <a href=\"steps.json\">steps.json</a>; how long it took: <a "
-        "href=\"timing.json\">timing.json</a>.</p>\n</header>\n<nav aria-label=\"Stages\"><ol>\n",
-        title, style, counted(std::int64_t(loaded.scene.models.size()), "model"),
-        counted(triangles, "triangle"), loaded.width, loaded.height);
+    std::string page =
+        html_head(title, style) +
+        fmt::format(
+            "<header>\n<h1>{0}</h1>\n<p class=\"soft\">{1}, {2}, {3} × {4} pixels. "
+            "The same numbers for programs: <a href=\"steps.json\">steps.json</a>; how long it took: <a "
+            "href=\"timing.json\">timing.json</a>.</p>\n</header>\n<nav aria-label=\"Stages\"><ol>\n",
+            title, counted(std::int64_t(loaded.scene.models.size()), "model"), counted(triangles, "triangle"),
+            loaded.width, loaded.height);
     for (const StageRecord& r : records) page += thumbnail(r);
     page += "</ol></nav>\n<main>\n";
     for (std::size_t i = 0; i < records.size(); ++i) page += section(records, i);
