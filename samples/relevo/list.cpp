@@ -51,6 +51,17 @@ constexpr Item algorithms[] = {
     {"colour", "linear light; sRGB codes by a table of exact thresholds"},
 };
 
+// Of lessons. Those that a scene names stand in samples/scene/choices.hpp.
+constexpr Item clipping_algorithms[] = {
+    {"split bridges", "cuts what Sutherland and Hodgman leave of a concave area into separate polygons"},
+    {"curve clipping", "box, quadrant and octant tests, then pixel by pixel (section 4.2)"},
+};
+constexpr Item smoothing_algorithms[] = {
+    {"curve coverage", "the exact area of discs and rings in each pixel"},
+    {"even weight", "thin lines dimmed by their slope, so that all look equally thick"},
+    {"over", "a colour laid over the picture by opacity and coverage (Porter and Duff 1984)"},
+};
+
 constexpr Item events[] = {
     {"VertexTransformed",
      "a vertex went through the transforms: object, eye and clip coordinates, clip codes"},
@@ -62,14 +73,24 @@ constexpr Item events[] = {
     {"FragmentShaded", "it was lit and written: weights, interpolated values, colour"},
 };
 
+// Of the machine of lessons; those of an algorithm stand at the top of its header.
+constexpr Item lesson_events[] = {
+    {"ShapeStarted", "a shape of a lesson begins"},
+    {"ShapeRefused", "a shape was left out: a coordinate, radius or width is too large or not finite"},
+    {"ShapeClipped", "the window cut an area or a smooth line: corners before and after"},
+    {"SpanPainted", "a run of pixels got the shape's colour by one coverage"},
+};
+
 constexpr Item formats[] = {
     {".toml", "scenes, read"},
     {".obj", "Wavefront meshes with materials (.mtl), read"},
     {".solid", "the textbook's two formats for solids (sections 2.4 and 10), read and written"},
-    {".png", "pictures, written; read as textures"},
+    {".png", "pictures, written (those of a lesson's steps are animated); read as textures"},
     {"images", "textures of every format that OpenImageIO reads: JPEG, TIFF, EXR, ..."},
     {".exr", "the depth buffer as 32-bit float, written by --raw-depth"},
-    {".json", "counts and captions of steps, milliseconds, --stats=json, written"},
+    {".json", "counts and captions of steps, states of lessons, milliseconds, --stats=json, written"},
+    {".csv", "the states of a lesson, a row a moment, written by steps"},
+    {".html", "the pages of steps: pictures of stages, lessons moment by moment, written"},
 };
 
 void print(const Item& item, int indent = 0) {
@@ -90,14 +111,45 @@ void print_knob(std::string_view key, const scene::Choice<Meaning> (&choices)[co
 }
 
 void list_stages() { print_all(stages); }
-void list_algorithms() { print_all(algorithms); }
-void list_events() { print_all(events); }
+
+template <class Meaning, std::size_t count>
+void print_choices(const scene::Choice<Meaning> (&choices)[count]) {
+    for (const auto& choice : choices) print({choice.name, choice.sentence}, 2);
+}
+
+void list_algorithms() {
+    print_all(algorithms);
+    say("\nLessons, [[shape2d]] algorithm = \"name\":\n");
+    print_choices(scene::scan_algorithms);
+    say("\nLessons, [[shape2d]] antialiasing = \"name\":\n");
+    print_choices(scene::antialiasings);
+    for (const Item& item : smoothing_algorithms) print(item, 2);
+    say("\nLessons, [clip] lines = \"name\":\n");
+    print_choices(scene::line_clippers);
+    say("\nLessons, [clip] polygons = \"name\":\n");
+    print_choices(scene::polygon_clippers);
+    for (const Item& item : clipping_algorithms) print(item, 2);
+}
+
+void list_events() {
+    print_all(events);
+    say("\nLessons:\n");
+    for (const Item& item : lesson_events) print(item, 2);
+}
 
 void list_formats() {
     print_all(formats);
     say("\nShapes made by Relevo itself (mesh = \"name\"):\n");
     for (const scene::Generator& generator : scene::generators())
         print({generator.name, generator.sentence}, 2);
+}
+
+// "midpoint, dda, ...": the first is the default.
+std::string algorithm_names(raster::ShapeKind kind) {
+    std::vector<std::string_view> names;
+    for (const raster::ScanAlgorithm algorithm : scene::algorithms_of(kind))
+        names.push_back(scene::name_of(algorithm, scene::scan_algorithms));
+    return fmt::format("{}", fmt::join(names, ", "));
 }
 
 void list_knobs() {
@@ -107,6 +159,14 @@ void list_knobs() {
     print_knob("texture_filter", scene::texture_filters, standard.texture_filter);
     print_knob("depth", scene::depth_formats, standard.depth);
     print_knob("cull", scene::culls, standard.cull);
+    say("\nKeys of [pipeline] in a lesson, for all shapes that say nothing themselves:\n\n");
+    print_knob("fill_rule", scene::fill_rules, raster::FillRule::TopLeft);
+    say("algorithm\n");
+    for (const auto& kind : scene::shape_kinds) print({kind.name, algorithm_names(kind.meaning)}, 2);
+    print_knob("antialiasing", scene::antialiasings, raster::Antialiasing::None);
+    say("samples\n{:2}1 to 16  along each side of a pixel, of supersample and multisample\n{:20}(4 is the "
+        "default)\n",
+        "", "");
 }
 
 // Columns as wide as their longest entry.

@@ -5,11 +5,13 @@
 #include <memory>
 
 #include "raster/draw.hpp"
+#include "raster/draw_shapes.hpp"
 #include "samples/io/picture.hpp"
 #include "samples/io/png.hpp"
 #include "samples/io/suggest.hpp"
 #include "samples/relevo/commands.hpp"
 #include "samples/scene/scene.hpp"
+#include "samples/scene/shapes2d.hpp"
 #include "samples/scene/statistics.hpp"
 
 namespace relevo::command {
@@ -26,22 +28,54 @@ double milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-io::Failure write_pictures(const RenderOptions& options, const std::string& output,
-                           const raster::Frame& frame) {
-    if (io::Failure failure = io::write_png(output, frame.color)) return failure;
-    if (!options.raw_depth.empty()) return io::write_exr(options.raw_depth, frame.depth);
-    return std::nullopt;
-}
-
-void print_statistics(const RenderOptions& options, const scene::Statistics& statistics, double load,
-                      double draw) {
+template <class Statistics>
+void print_statistics(const RenderOptions& options, const Statistics& statistics, double load, double draw) {
+    const std::vector<scene::NamedCount> counts = named_counts(statistics);
     if (options.statistics == "json") {
         say("{{\"counts\": {}, \"milliseconds\": {{\"load\": {:.3f}, \"draw\": {:.3f}}}}}\n",
-            to_json(statistics), load, draw);
+            scene::to_json(counts), load, draw);
         return;
     }
-    for (const scene::NamedCount& c : named_counts(statistics)) say("{:>12}  {}\n", c.count, c.words);
+    for (const scene::NamedCount& c : counts) say("{:>12}  {}\n", c.count, c.words);
     say("{:>12.3f}  milliseconds to load the scene\n{:>12.3f}  milliseconds to draw it\n", load, draw);
+}
+
+int render_objects(const RenderOptions& options, const scene::LoadedScene& loaded, const std::string& output,
+                   double load) {
+    raster::Frame frame = scene::make_frame(loaded);
+    const Clock::time_point start = Clock::now();
+    raster::draw(loaded.scene, loaded.settings, frame);
+    const double draw = milliseconds_since(start);
+    if (const io::Failure failure = io::write_png(output, frame.color)) return refuse(*failure);
+    if (!options.raw_depth.empty())
+        if (const io::Failure failure = io::write_exr(options.raw_depth, frame.depth))
+            return refuse(*failure);
+    if (!options.statistics.empty()) {  // drawn once more: the probe costs time, but moves no pixel
+        scene::Statistics statistics = scene::statistics_of(loaded.scene);
+        raster::draw(loaded.scene, loaded.settings, frame, statistics);
+        print_statistics(options, statistics, load, draw);
+    }
+    return done;
+}
+
+int render_lesson(const RenderOptions& options, const scene::LoadedScene& loaded, const std::string& output,
+                  double load) {
+    if (!options.raw_depth.empty())
+        return refuse(io::FileError{{"--raw-depth " + options.raw_depth, 0, 0},
+                                    "a lesson has no depth buffer; only scenes of [[object]]s have one"});
+    raster::Image<raster::LinearRgb> picture(loaded.width, loaded.height);
+    const Clock::time_point start = Clock::now();
+    raster::draw_shapes(loaded.shapes, picture);
+    const double draw = milliseconds_since(start);
+    const auto encoded = raster::encoded(picture, loaded.settings.output);
+    if (const io::Failure failure = io::write_png(output, scene::enlarged(encoded, loaded.zoom)))
+        return refuse(*failure);
+    if (!options.statistics.empty()) {
+        scene::ShapeStatistics statistics(loaded.width, loaded.height);
+        raster::draw_shapes(loaded.shapes, picture, statistics);
+        print_statistics(options, statistics, load, draw);
+    }
+    return done;
 }
 
 int render(const RenderOptions& options) {
@@ -62,20 +96,9 @@ int render(const RenderOptions& options) {
     for (const std::string& warning : loaded->warnings)
         std::fprintf(stderr, "warning: %s\n", warning.c_str());
     const double load = milliseconds_since(start);
-
-    raster::Frame frame = scene::make_frame(*loaded);
-    const Clock::time_point draw_start = Clock::now();
-    raster::draw(loaded->scene, loaded->settings, frame);
-    const double draw = milliseconds_since(draw_start);
-
     const std::string output = options.output.empty() ? loaded->name + ".png" : options.output;
-    if (const io::Failure failure = write_pictures(options, output, frame)) return refuse(*failure);
-    if (!options.statistics.empty()) {  // drawn once more: the probe costs time, but moves no pixel
-        scene::Statistics statistics = scene::statistics_of(loaded->scene);
-        raster::draw(loaded->scene, loaded->settings, frame, statistics);
-        print_statistics(options, statistics, load, draw);
-    }
-    return done;
+    return is_lesson(*loaded) ? render_lesson(options, *loaded, output, load)
+                              : render_objects(options, *loaded, output, load);
 }
 
 }  // namespace

@@ -472,4 +472,11 @@ void read_lesson(const LessonTables& tables, std::optional<std::pair<int, int>> 
     if (diagnosis.fine()) refuse_unused(pipeline, defaults);
 }
 
+raster::Image<raster::Rgba8> enlarged(const raster::Image<raster::Rgba8>& picture, int zoom) {
+    raster::Image<raster::Rgba8> out(picture.width() * zoom, picture.height() * zoom);
+    for (int y = 0; y < out.height(); ++y)
+        for (int x = 0; x < out.width(); ++x) out.row(y)[x] = picture.row(y / zoom)[x / zoom];
+    return out;
+}
+
 }  // namespace relevo::scene

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "raster/image.hpp"
 #include "samples/scene/fields.hpp"
 
 namespace relevo::scene {
@@ -27,5 +28,8 @@ struct LessonTables {
 // Coordinates in the file are those of [axes]; in `out` they are pixels. `size` is that of --size.
 void read_lesson(const LessonTables& tables, std::optional<std::pair<int, int>> size, LoadedScene& out,
                  Diagnosis& diagnosis);
+
+// The picture with each pixel drawn zoom x zoom, so that it can be seen. zoom >= 1.
+raster::Image<raster::Rgba8> enlarged(const raster::Image<raster::Rgba8>& picture, int zoom);
 
 }  // namespace relevo::scene

@@ -25,9 +25,24 @@ std::vector<NamedCount> named_counts(const Statistics& s) {
     };
 }
 
-std::string to_json(const Statistics& statistics) {
+std::vector<NamedCount> named_counts(const ShapeStatistics& s) {
+    return {
+        {"shapes", "shapes drawn", s.shapes},
+        {"refused", "shapes left out: a coordinate too large", s.refused},
+        {"cut", "areas cut at the window", s.cut},
+        {"gone", "areas outside of the window", s.gone},
+        {"spans", "runs of equal coverage", s.spans},
+        {"painted", "pixels painted, once for each shape over them", s.painted},
+        {"partly", "of these, pixels covered in part", s.partly},
+        {"lit", "different pixels lit", s.lit},
+        {"area", "pixels that all coverages add up to, rounded",
+         static_cast<ShapeStatistics::Count>(s.coverage + 0.5)},
+    };
+}
+
+std::string to_json(const std::vector<NamedCount>& counts) {
     std::string out = "{";
-    for (const NamedCount& c : named_counts(statistics))
+    for (const NamedCount& c : counts)
         out += fmt::format("{}\"{}\": {}", out.size() > 1 ? ", " : "", c.name, c.count);
     return out + "}";
 }

@@ -104,7 +104,7 @@ TEST(Statistics, AsJson) {
     s.triangles = 3;
     s.shaded = 18446744073709551615u;
     EXPECT_EQ(
-        to_json(s),
+        to_json(named_counts(s)),
         R"({"triangles": 3, "vertices": 0, "clipped": 0, "rejected_non_finite": 0, "rejected_outside": 0, )"
         R"("rejected_zero_area": 0, "rejected_culled": 0, "rejected_no_pixel": 0, "pieces": 0, "drawn": 0, )"
         R"("covered": 0, "depth_passed": 0, "depth_failed": 0, "shaded": 18446744073709551615})");
