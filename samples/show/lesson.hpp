@@ -30,10 +30,10 @@ struct Mark {
         Text,     // `text` beside points[0], with a halo
     } kind = Kind::Dot;
     Rgba8 color = ink;
-    std::vector<Spot> points;
+    std::vector<Spot> points{};
     double radius_x = 0, radius_y = 0;
     int level = 255;
-    std::string text;
+    std::string text{};
 };
 
 struct LessonFrame {
