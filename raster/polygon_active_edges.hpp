@@ -69,7 +69,9 @@ struct PolygonSpan {
 // edges cross one another it gives up and sorts.
 inline void sort_active(std::vector<ActiveEdge>& edges) {
     const auto before = [](const ActiveEdge& a, const ActiveEdge& b) {
-        return a.at.x < b.at.x || (a.at.x == b.at.x && a.number < b.number);
+        if (a.at.x != b.at.x) return a.at.x < b.at.x;
+        const Int128 left = Int128{a.at.rest} * b.at.run, right = Int128{b.at.rest} * a.at.run;
+        return left > right || (left == right && a.number < b.number);
     };
     std::size_t moves = 16 * edges.size();
     for (std::size_t i = 1; i < edges.size(); ++i) {
