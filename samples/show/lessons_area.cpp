@@ -392,6 +392,7 @@ Lesson triangle_scan_lesson(const Subject& s) {
                   "Each row lies between the long edge and one of the two others; their places move "
                   "from row to row in whole numbers.",
                   "textbook section 5.4, algorithm 5.2, fig. 5.10");
+    for (Mark& outline : lesson.ground) outline.color = haze;  // the edges get colours of their own
     lesson.columns = {"y", "x left", "rest left", "x right", "rest right", "lit"};
     for (std::size_t i = 0; i < 3; ++i)
         lesson.legend.push_back({Kind::Segment, edge_colors[i], edge_names[i]});
@@ -451,6 +452,7 @@ Lesson edge_function_lesson(const Subject& s) {
     Lesson lesson = lesson_of(s, "triangle-edge-function", "Triangle by edge functions",
                               "A pixel is lit when its centre lies on the inner side of all three edges.",
                               "Pineda 1988; compare textbook section 5.4");
+    for (Mark& outline : lesson.ground) outline.color = haze;
     lesson.columns = {"x", "y", "E0", "E1", "E2", "inside"};
     for (std::size_t k = 0; k < 3; ++k)
         lesson.legend.push_back({Kind::Segment, edge_colors[k], fmt::format("E{} = 0", k)});
