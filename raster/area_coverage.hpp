@@ -6,7 +6,7 @@
 // pixels that it touches, and the height of its piece of the row to all pixels to the right. Between the
 // edges of a row the sum stands still, so a run of whole pixels costs as much as one.
 //
-// Coordinates: |c| <= 32767, rounded to 1/65536 pixel; if one is larger or not finite, nothing is drawn. Each
+// Coordinates: |c| <= 65534, rounded to 1/65536 pixel; if one is larger or not finite, nothing is drawn. Each
 // edge's share of a pixel is exact and rounded once, so with corners on the grid of 1/65536 pixel
 //
 //   * the coverage of a pixel that k edges touch is within k / 2^17 of its exact area, where the inside rule
@@ -59,24 +59,12 @@ void area_coverage(std::span<const glm::dvec2> convex, const PixelBox& box, Cove
 
 // ---- the rest is how ----
 
-// The pixels of the box that coordinates up to largest_place can reach, in columns and rows of the grid.
-inline PixelBox grid_box(const PixelBox& box) {
-    const auto cell = [](int c) { return std::clamp(c, -grid_origin, grid_origin - 1) + grid_origin; };
-    if (box.empty()) return {0, 0, -1, -1};
-    return {cell(box.x0), cell(box.y0), cell(box.x1), cell(box.y1)};
-}
-
 template <class Probe>
-void note_share(Probe& probe, const EdgePiece& piece, int column, int row, int share) {
+void note_share(Probe& probe, const CoverageEdge& e, int column, int row, int share, int beyond) {
     if constexpr (pipeline::Wants<Probe, EdgeShared>) {
-        const CoverageEdge& e = *piece.edge;
-        const auto place = [](std::int64_t x, std::int64_t y) {
-            return glm::dvec2{static_cast<double>(x - grid_pixel / 2) / 65536 - grid_origin,
-                              static_cast<double>(y - grid_pixel / 2) / 65536 - grid_origin};
-        };
-        const glm::dvec2 upper = place(e.x0, e.y0), lower = place(e.x1, e.y1);
+        const glm::dvec2 upper{from_grid(e.x0), from_grid(e.y0)}, lower{from_grid(e.x1), from_grid(e.y1)};
         note<EdgeShared>(probe, e.sign > 0 ? upper : lower, e.sign > 0 ? lower : upper, column - grid_origin,
-                         row - grid_origin, e.sign * share, e.sign * piece.height);
+                         row - grid_origin, e.sign * share, e.sign * beyond);
     }
 }
 
@@ -91,59 +79,51 @@ void emit_run(int row, int column, int end, int coverage, Cover& cover, Probe& p
 // An edge on its way down the rows.
 struct EdgeWalk {
     CoverageEdge edge;
-    double x;  // at the upper end of its piece in the next row
+    double x = 0;  // at the upper end of its piece in the next row
 
-    void start(int row) { x = edge.x_at(std::max(edge.y0, std::int64_t{row} * grid_pixel)); }
+    int first_row() const { return edge.first_row(); }
+    int last_row() const { return edge.last_row(); }
+    void start(int row) { x = edge.x_at(std::max(edge.y0, row * grid_pixel)); }
     EdgePiece piece(int row) {
-        const std::int64_t top = std::int64_t{row} * grid_pixel;
-        return make_piece(edge, std::max(edge.y0, top), std::min(edge.y1, top + grid_pixel), x, x);
+        return make_piece(edge, std::max(edge.y0, row * grid_pixel),
+                          std::min(edge.y1, (row + 1) * grid_pixel), x, x);
     }
 };
+
+// The edges of closed rings, but for the horizontal ones.
+template <class Walk>
+std::vector<Walk> edges_of(std::span<const std::vector<glm::dvec2>> rings) {
+    std::vector<Walk> edges;
+    for (const auto& ring : rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const glm::dvec2 &a = ring[i], &b = ring[i + 1 == ring.size() ? 0 : i + 1];
+            CoverageEdge edge;
+            if (make_edge(to_grid(a.x), to_grid(a.y), to_grid(b.x), to_grid(b.y), edge))
+                edges.push_back({edge});
+        }
+    return edges;
+}
 
 template <class Cover, class Probe>
 void area_coverage(std::span<const std::vector<glm::dvec2>> rings, InsideRule inside, const PixelBox& box,
                    Cover&& cover, Probe&& probe) {
     const PixelBox grid = grid_box(box);
     if (grid.empty() || !on_grid(rings)) return;
-    std::vector<EdgeWalk> edges;
-    for (const auto& ring : rings)
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const glm::dvec2 &a = ring[i], &b = ring[i + 1 == ring.size() ? 0 : i + 1];
-            CoverageEdge edge;
-            if (!make_edge(to_grid(a.x), to_grid(a.y), to_grid(b.x), to_grid(b.y), edge)) continue;
-            if (edge.last_row() < grid.y0 || edge.first_row() > grid.y1) continue;
-            edges.push_back({edge, 0});
-        }
-    if (edges.empty()) return;
-    std::sort(edges.begin(), edges.end(),
-              [](const EdgeWalk& a, const EdgeWalk& b) { return a.edge.y0 < b.edge.y0; });
-
+    auto edges = edges_of<EdgeWalk>(rings);
     CoverageRow sums(grid.x0, grid.x1);
-    std::vector<EdgeWalk*> active;
-    std::size_t next = 0;
-    for (int row = std::max(grid.y0, edges[0].edge.first_row()); row <= grid.y1; ++row) {
-        for (; next < edges.size() && edges[next].edge.first_row() <= row; ++next) {
-            edges[next].start(row);
-            active.push_back(&edges[next]);
-        }
-        if (active.empty()) {
-            if (next == edges.size()) return;
-            row = edges[next].edge.first_row() - 1;
-            continue;
-        }
+    for_each_row(edges, grid.y0, grid.y1, [&](int row, std::span<EdgeWalk* const> active) {
         for (EdgeWalk* walk : active) {
             const EdgePiece piece = walk->piece(row);
             sums.add(piece.first, piece.last, walk->edge.sign, piece.height, [&](int column) {
                 const int share = edge_share(piece, column);
-                note_share(probe, piece, column, row, share);
+                note_share(probe, *piece.edge, column, row, share, piece.height);
                 return share;
             });
         }
         sums.sweep([&](int from, int to, std::int64_t winding) {
             emit_run(row, from, to, covered_part(winding, inside), cover, probe);
         });
-        std::erase_if(active, [row](const EdgeWalk* walk) { return walk->edge.last_row() <= row; });
-    }
+    });
 }
 
 // A row of a polygon with few edges: every pixel sums its shares where it stands.
@@ -158,7 +138,7 @@ void cover_row(std::span<const EdgePiece> pieces, int row, const PixelBox& grid,
         for (const EdgePiece& piece : pieces) {
             const int share = edge_share(piece, column);
             if (piece.first <= column && column <= piece.last)
-                next = column + 1, note_share(probe, piece, column, row, share);
+                next = column + 1, note_share(probe, *piece.edge, column, row, share, piece.height);
             else if (piece.first > column)
                 next = std::min(next, piece.first);
             winding += piece.edge->sign * share;
@@ -181,7 +161,7 @@ bool cover_between(const EdgePiece* left, const EdgePiece* right, int row, const
         const double next = area_left_of(column + 1.0, *piece);
         const int result = rounded_share(next - area, *piece, column);
         area = next;
-        note_share(probe, *piece, column, row, result);
+        note_share(probe, *piece->edge, column, row, result, piece->height);
         return result;
     };
     double area_l = area_left_of(begin, *left), area_r = area_left_of(outer, *right);

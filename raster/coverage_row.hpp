@@ -1,4 +1,5 @@
-// A row of pixels in which edges leave their shares, for outlines of any size.
+// Outlines of any size, row by row: the edges that cross a row, and a row of pixels in which they leave their
+// shares.
 //
 // What an edge adds to a pixel reaches all pixels to its right, too. So the row holds differences: each edge
 // writes where its share changes, and the sum from the left is the winding number of the pixel, averaged over
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <span>
 #include <vector>
 
 #include "raster/pixel.hpp"
@@ -24,6 +26,29 @@ inline int covered_part(std::int64_t winding, InsideRule inside) {
     if (inside == InsideRule::NonZero) return static_cast<int>(std::min<std::int64_t>(size, full_coverage));
     const std::int64_t turn = size % (2 * full_coverage);
     return static_cast<int>(std::min(turn, 2 * full_coverage - turn));
+}
+
+// Calls visit(row, edges) for the rows first..last that edges cross, with the edges as a span of pointers. An
+// Edge has first_row(), last_row(), and start(row), which is called once, for the first row that is visited.
+template <class Edge, class Visit>
+void for_each_row(std::vector<Edge>& edges, int first, int last, Visit&& visit) {
+    std::erase_if(edges, [&](const Edge& e) { return e.last_row() < first || e.first_row() > last; });
+    std::sort(edges.begin(), edges.end(),
+              [](const Edge& a, const Edge& b) { return a.first_row() < b.first_row(); });
+    std::vector<Edge*> active;
+    std::size_t next = 0;
+    for (int row = first; row <= last; ++row) {
+        if (active.empty()) {
+            if (next == edges.size()) return;
+            row = std::max(row, edges[next].first_row());
+        }
+        for (; next < edges.size() && edges[next].first_row() <= row; ++next) {
+            edges[next].start(row);
+            active.push_back(&edges[next]);
+        }
+        visit(row, std::span<Edge* const>(active));
+        std::erase_if(active, [row](const Edge* e) { return e->last_row() <= row; });
+    }
 }
 
 class CoverageRow {

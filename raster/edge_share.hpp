@@ -25,13 +25,15 @@
 
 namespace relevo::raster {
 
-// Columns and rows are counted from pixel (-32768, -32768), so that none is negative.
-inline constexpr int grid_origin = 32768;
+// Twice as far as shapes reach, so that the outlines of wide lines are never too far out.
+inline constexpr double largest_corner = 2 * largest_place;
+// Columns and rows are counted from pixel (-65536, -65536), so that none is negative.
+inline constexpr int grid_origin = 65536;
 inline constexpr std::int64_t grid_pixel = 65536;  // a pixel in grid units
 
-// |c| <= largest_place, which refuses what is not finite, too.
+// |c| <= largest_corner, which refuses what is not finite, too.
 inline bool on_grid(const glm::dvec2& p) {
-    return std::abs(p.x) <= largest_place && std::abs(p.y) <= largest_place;
+    return std::abs(p.x) <= largest_corner && std::abs(p.y) <= largest_corner;
 }
 inline bool on_grid(std::span<const std::vector<glm::dvec2>> rings) {
     for (const auto& ring : rings)
@@ -39,9 +41,19 @@ inline bool on_grid(std::span<const std::vector<glm::dvec2>> rings) {
             if (!on_grid(p)) return false;
     return true;
 }
-// A place of the plane in grid units: pixel centres are at halves of a pixel.
+// Grid units: pixel centres are at halves of a pixel.
 inline std::int64_t to_grid(double c) {
     return std::llrint(c * 65536) + grid_pixel / 2 + grid_pixel * grid_origin;
+}
+inline double from_grid(std::int64_t c) {
+    return static_cast<double>(c - grid_pixel / 2) * 0x1p-16 - grid_origin;
+}
+
+// The pixels of a box that coordinates up to largest_corner can reach, in columns and rows of the grid.
+inline PixelBox grid_box(const PixelBox& box) {
+    const auto cell = [](int c) { return std::clamp(c, -grid_origin, grid_origin - 1) + grid_origin; };
+    if (box.empty()) return {0, 0, -1, -1};
+    return {cell(box.x0), cell(box.y0), cell(box.x1), cell(box.y1)};
 }
 
 // From the upper end (x0, y0) to the lower one: y0 < y1. Grid units.
@@ -51,7 +63,7 @@ struct CoverageEdge {
     double slope;      // pixels of x for a grid unit of y
     double steepness;  // grid units of y for a pixel of x; 0 for a vertical edge
 
-    // In pixels, with an error below 2^-35.
+    // In pixels, with an error below 2^-34.
     double x_at(std::int64_t y) const {
         if (y == y1) return static_cast<double>(x1) * 0x1p-16;
         return static_cast<double>(x0) * 0x1p-16 + static_cast<double>(y - y0) * slope;
@@ -60,7 +72,7 @@ struct CoverageEdge {
     int last_row() const { return static_cast<int>((y1 - 1) >> 16); }
 };
 
-// False for a horizontal edge: it has no right.
+// Between two places on the grid. False for a horizontal edge: it has no right.
 inline bool make_edge(std::int64_t ax, std::int64_t ay, std::int64_t bx, std::int64_t by,
                       CoverageEdge& edge) {
     if (ay == by) return false;
