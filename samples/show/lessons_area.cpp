@@ -660,14 +660,15 @@ struct PolygonTeller {
             lists.push_back(std::move(list));
         }
         frame.equation = listed(lists, 5);
+        const std::size_t others = s.ring.size() - e.edges.size();
         frame.caption = fmt::format(
             "{}, sorted by the first row of centres that they cross.{} Blue edges run down and count +1, red "
             "ones "
             "run up and count -1.{}",
             counted(std::int64_t(e.edges.size()), "edge"),
-            e.edges.size() < s.ring.size()
-                ? fmt::format(" The other {} cross none here.", s.ring.size() - e.edges.size())
-                : "",
+            others == 0
+                ? ""
+                : fmt::format(" The other {} {} none here.", others, others == 1 ? "crosses" : "cross"),
             s.left_out);
         for (const raster::TableEdge& edge : e.edges) {
             const Rgba8 color = edge.winding > 0 ? down_color : up_color;
