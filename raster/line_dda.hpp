@@ -4,9 +4,14 @@
 //     y += slope;  light (x, round(y));  x += 1
 //
 // The walk and the rule for ties are those of line_midpoint, so in exact arithmetic the pixels would be the
-// same. But the slope is rounded to 24 bits and every sum again, and the errors add up: over 100 steps the
-// row differs by 0.00002 of a pixel, over 1000 by 0.0007, over 100,000 by 4, over a million by hundreds
-// (measured; tests/raster/line_dda_test.cpp has the table). The last pixel need not be the line's end.
+// same. But the slope is rounded to 24 bits and every sum again, and the errors add up (measured over lines
+// from the origin, tests/raster/line_dda_test.cpp):
+//
+//     length          10     100     1000     10,000   100,000
+//     sum off by   0.000001  0.0001    0.012      1.1        42 pixels
+//     differ           0     0.28 %    0.11 %     7 %      79 %  of the pixels (of short lines: ties)
+//
+// The last pixel need not be the line's end.
 //
 // In a box the sum starts anew at the first column (steep: row) of the box with y = y0 + step * slope: what
 // lies before costs nothing. So a cut line can light other pixels than the uncut one. line_midpoint does not
