@@ -44,6 +44,12 @@ struct ClipLine {
     friend bool operator==(const ClipLine&, const ClipLine&) = default;
 };
 
+// The order of points along a line, and whether a line runs with it: to the right, or straight down.
+inline bool comes_before(const glm::vec2& a, const glm::vec2& b) {
+    return a.x < b.x || (a.x == b.x && a.y < b.y);
+}
+inline bool points_right(const ClipLine& line) { return comes_before(line.from, line.to); }
+
 // How a segment passes a side's line (fig. 4.5): it may enter there, or leave, or never does.
 enum class Passage { Entering, Leaving, ParallelInside, ParallelOutside };
 
@@ -139,14 +145,11 @@ inline Result<std::vector<ClipLine>, Refusal> convex_window(std::span<const glm:
         const glm::vec2 &from = polygon[i], &to = polygon[i + 1 == polygon.size() ? 0 : i + 1];
         if (from != to) sides.push_back({from, to});
     }
-    const auto to_the_right = [](const ClipLine& l) {
-        return l.from.x < l.to.x || (l.from.x == l.to.x && l.from.y < l.to.y);
-    };
     int winding = 0, changes = 0;
     bool dented = false, folded = false;
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const ClipLine &before = sides[i], &after = sides[i + 1 == sides.size() ? 0 : i + 1];
-        const bool change = to_the_right(before) != to_the_right(after);
+        const bool change = points_right(before) != points_right(after);
         const int turn = sign_of_cross(before.from, before.to, after.from, after.to);
         changes += change;
         folded = folded || (turn == 0 && change);

@@ -13,7 +13,7 @@
 // double, whatever finite floats they are: 2^-149 to the fifth is above 2^-1022, 2^128 to the fifth below
 // 2^1024. No fused multiply-add is used. Values that are not finite have no meaning here.
 #pragma once
-#include <array>
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -49,33 +49,39 @@ constexpr TwoDoubles two_product(double a, double b) {
 class Exact {
   public:
     Exact(double value = 0) { add(value); }
+    Exact(const Exact& other) { *this = other; }
+    Exact& operator=(const Exact& other) {
+        std::copy(other.begin(), other.end(), part_);
+        size_ = other.size_;
+        return *this;
+    }
 
-    int sign() const { return size_ == 0 ? 0 : part_[std::size_t(size_ - 1)] > 0 ? 1 : -1; }
+    int sign() const { return size_ == 0 ? 0 : part_[size_ - 1] > 0 ? 1 : -1; }
     // As a double, with a relative error below 2^-50.
     double value() const {
         double sum = 0;
-        for (int i = 0; i < size_; ++i) sum += part_[std::size_t(i)];
+        for (const double part : *this) sum += part;
         return sum;
     }
     Exact half() const {
-        Exact result = *this;
-        for (int i = 0; i < size_; ++i) result.part_[std::size_t(i)] *= 0.5;
+        Exact result;
+        for (const double part : *this) result.part_[result.size_++] = 0.5 * part;
         return result;
     }
 
     friend Exact operator+(Exact a, const Exact& b) {
-        for (int i = 0; i < b.size_; ++i) a.add(b.part_[std::size_t(i)]);
+        for (const double part : b) a.add(part);
         return a;
     }
     friend Exact operator-(Exact a, const Exact& b) {
-        for (int i = 0; i < b.size_; ++i) a.add(-b.part_[std::size_t(i)]);
+        for (const double part : b) a.add(-part);
         return a;
     }
     friend Exact operator*(const Exact& a, const Exact& b) {
         Exact result;
-        for (int i = 0; i < a.size_; ++i)
-            for (int k = 0; k < b.size_; ++k) {
-                const auto [high, low] = two_product(a.part_[std::size_t(i)], b.part_[std::size_t(k)]);
+        for (const double p : a)
+            for (const double q : b) {
+                const auto [high, low] = two_product(p, q);
                 result.add(low), result.add(high);
             }
         return result;
@@ -83,45 +89,47 @@ class Exact {
 
   private:
     // Five factors span 1385 bits, which 28 packed doubles hold.
-    static constexpr int capacity = 48;
+    static constexpr std::size_t capacity = 48;
+
+    const double* begin() const { return part_; }
+    const double* end() const { return part_ + size_; }
 
     // What a rounded sum loses is kept and the sum carried on: Grow-Expansion.
     void add(double carry) {
         if (size_ == capacity) pack();
-        int kept = 0;
-        for (int i = 0; i < size_; ++i) {
-            const auto [sum, lost] = two_sum(carry, part_[std::size_t(i)]);
-            if (lost != 0) part_[std::size_t(kept++)] = lost;
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < size_; ++i) {
+            const auto [sum, lost] = two_sum(carry, part_[i]);
+            if (lost != 0) part_[kept++] = lost;
             carry = sum;
         }
-        if (carry != 0) part_[std::size_t(kept++)] = carry;
+        if (carry != 0) part_[kept++] = carry;
         size_ = kept;
     }
 
-    // The same number in as few doubles as can be: each is below half a unit of the last place of the next.
+    // The same number in as few doubles as can be, each below half a unit of the last place of the next:
+    // Compress. From the largest down what rounding loses is carried on, then from the smallest up.
     void pack() {
-        std::array<double, capacity> down;
-        int first = size_ - 1;
-        double carry = part_[std::size_t(first)];
-        for (int i = size_ - 2; i >= 0; --i) {
-            const auto [sum, lost] = two_sum(carry, part_[std::size_t(i)]);
-            if (lost != 0) down[std::size_t(first--)] = sum;
+        double sums[capacity];  // the largest first
+        std::size_t count = 0;
+        double carry = 0;
+        for (std::size_t i = size_; i-- > 0;) {
+            const auto [sum, lost] = two_sum(carry, part_[i]);
+            if (lost != 0) sums[count++] = sum;
             carry = lost != 0 ? lost : sum;
         }
-        down[std::size_t(first)] = carry;
-        int kept = 0;
-        for (int i = first + 1; i < size_; ++i) {
-            const auto [sum, lost] = two_sum(down[std::size_t(i)], carry);
-            if (lost != 0) part_[std::size_t(kept++)] = lost;
+        size_ = 0;
+        while (count > 0) {
+            const auto [sum, lost] = two_sum(sums[--count], carry);
+            if (lost != 0) part_[size_++] = lost;
             carry = sum;
         }
-        part_[std::size_t(kept++)] = carry;
-        size_ = kept;
+        part_[size_++] = carry;
         assert(size_ < capacity);
     }
 
-    int size_ = 0;
-    std::array<double, capacity> part_;
+    std::size_t size_ = 0;
+    double part_[capacity];
 };
 
 // |truth - value| <= error.
