@@ -28,7 +28,10 @@ Image<std::uint8_t> window_mask(std::span<const glm::vec2> polygon, int width, i
     Image<std::uint8_t> mask(width, height);
     const PixelBox box{0, 0, width - 1, height - 1};
     SnappedRing ring;
-    for (const glm::vec2& p : polygon) ring.push_back(snapped(p.x, p.y));
+    for (const glm::vec2& p : polygon) {
+        if (!(std::abs(p.x) <= largest_place && std::abs(p.y) <= largest_place)) return mask;
+        ring.push_back(snapped(p.x, p.y));
+    }
     const auto fill = [&](int y, int x0, int x1) { std::fill(mask.row(y) + x0, mask.row(y) + x1, 1); };
     polygon_active_edges(std::span(&ring, 1), InsideRule::NonZero, FillRule::TopLeft, box, fill);
     for (std::size_t i = 0; i < ring.size(); ++i)

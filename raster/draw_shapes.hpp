@@ -17,11 +17,16 @@
 #include <span>
 #include <vector>
 
+#include "pipeline/clip_shape_greiner_hormann.hpp"
+#include "pipeline/clip_shape_pipeline.hpp"
+#include "pipeline/clip_shape_sutherland_hodgman.hpp"
 #include "pipeline/probe.hpp"
+#include "pipeline/split_bridges.hpp"
 #include "raster/area_coverage.hpp"
 #include "raster/circle_midpoint.hpp"
 #include "raster/circle_second_order.hpp"
 #include "raster/composite.hpp"
+#include "raster/curve_coverage.hpp"
 #include "raster/disc.hpp"
 #include "raster/ellipse_midpoint.hpp"
 #include "raster/ellipse_second_order.hpp"
@@ -29,16 +34,20 @@
 #include "raster/image.hpp"
 #include "raster/line_dda.hpp"
 #include "raster/line_explicit.hpp"
+#include "raster/line_gupta_sproull.hpp"
 #include "raster/line_midpoint.hpp"
 #include "raster/line_outline.hpp"
 #include "raster/line_weight.hpp"
 #include "raster/line_wu.hpp"
+#include "raster/multisample.hpp"
 #include "raster/polygon_active_edges.hpp"
 #include "raster/rectangle.hpp"
 #include "raster/shape.hpp"
 #include "raster/shape_events.hpp"
+#include "raster/supersample.hpp"
 #include "raster/triangle_edge.hpp"
 #include "raster/triangle_scan.hpp"
+#include "raster/weighted_coverage.hpp"
 
 namespace relevo::raster {
 
@@ -48,7 +57,8 @@ using pipeline::note;
 using Ring = std::vector<glm::dvec2>;
 using SnappedRing = std::vector<SnappedPoint>;
 
-// The pixels whose centre lies in a polygon or on its border: 1, else 0. Non-zero rule.
+// The pixels whose centre lies in a polygon or on its border: 1, else 0. Non-zero rule; corners to 1/256
+// pixel. None when a corner is not finite or beyond largest_place.
 Image<std::uint8_t> window_mask(std::span<const glm::vec2> polygon, int width, int height);
 
 template <class Probe>
@@ -60,27 +70,32 @@ class ShapePass {
           probe_(probe),
           box_{0, 0, picture.width() - 1, picture.height() - 1},
           pixel_box_(box_) {
-        const ShapeClip& clip = scene.clip;
-        if (clip.on && clip.polygon.empty())
-            pixel_box_ = {std::max(box_.x0, int(std::ceil(clip.low.x))),
-                          std::max(box_.y0, int(std::ceil(clip.low.y))),
-                          std::min(box_.x1, int(std::floor(clip.high.x))),
-                          std::min(box_.y1, int(std::floor(clip.high.y)))};
-        if (clip.on && !clip.polygon.empty())
-            mask_ = window_mask(clip.polygon, picture.width(), picture.height());
+        if (!scene.clip.on) return;
+        window_ = sides_of(scene.clip);
+        if (scene.clip.polygon.empty())
+            pixel_box_ = pixels_of_window();
+        else
+            mask_ = window_mask(scene.clip.polygon, picture.width(), picture.height());
     }
 
     void run() {
         std::fill(picture_.pixels().begin(), picture_.pixels().end(), scene_.background);
-        for (number_ = 0; number_ < scene_.shapes.size(); ++number_) draw(scene_.shapes[number_]);
+        for (number_ = 0; number_ < scene_.shapes.size(); ++number_) {
+            const Shape& shape = scene_.shapes[number_];
+            if (!shared_.empty() && (!shares_samples(shape) || shape.samples != samples_)) resolve();
+            if (!is_drawable(shape)) {
+                note<ShapeRefused>(probe_, number_);
+                continue;
+            }
+            note<ShapeStarted>(probe_, number_);
+            shares_samples(shape) ? share(shape) : draw(shape);
+        }
+        resolve();
     }
 
   private:
-    // --------------------------------------------------------------------------------------- what is drawn
-    // how
+    // ---------------------------------------------------------------- what is drawn how
     void draw(const Shape& shape) {
-        if (!is_drawable(shape)) return note<ShapeRefused>(probe_, number_);
-        note<ShapeStarted>(probe_, number_);
         if (is_curve(shape))
             curve(shape);
         else if (is_line(shape) && lights_pixels(shape))
@@ -91,7 +106,7 @@ class ShapePass {
             smooth_area(shape);
     }
 
-    // ------------------------------------------------------------------------------------------- thin lines
+    // ------------------------------------------------------------------------ thin lines
     // A corner of a polyline belongs to two lines, and is painted once. Lines that smooth themselves end in
     // the middle of its pixel, so their coverages add up; of others the larger counts.
     void pixel_lines(const Shape& shape) {
@@ -123,6 +138,8 @@ class ShapePass {
         switch (shape.algorithm) {
             case ScanAlgorithm::Wu:
                 return line_wu(from, to, pixel_box_, cover, probe_);
+            case ScanAlgorithm::GuptaSproull:
+                return line_gupta_sproull(from, to, shape.width, pixel_box_, cover, probe_);
             case ScanAlgorithm::Dda:
                 return line_dda(a, b, pixel_box_, plot, probe_);
             case ScanAlgorithm::Explicit:
@@ -132,9 +149,18 @@ class ShapePass {
         }
     }
 
-    // ----------------------------------------------------------------------------------- circles and
-    // ellipses
+    // --------------------------------------------------------------- circles and ellipses
     void curve(const Shape& shape) {
+        if (shape.antialiasing == Antialiasing::None) return pixel_curve(shape);
+        const glm::dvec2 center = shape.points[0];
+        const double a = shape.radius_x, b = shape.radius_y;
+        if (shape.filled)
+            disc_coverage(center, a, b, pixel_box_, pixel_painter(shape), probe_);
+        else
+            ring_coverage(center, a, b, shape.width, pixel_box_, pixel_painter(shape), probe_);
+    }
+
+    void pixel_curve(const Shape& shape) {
         const Pixel center = nearest_pixel(shape.points[0]);
         const auto a = static_cast<int>(shape.radius_x + 0.5f), b = static_cast<int>(shape.radius_y + 0.5f);
         const auto span = [paint = pixel_painter(shape)](int y, int x0, int x1) {
@@ -156,7 +182,7 @@ class ShapePass {
             ellipse_midpoint(center, a, b, pixel_box_, plot, probe_);
     }
 
-    // ------------------------------------------------------------------------------------------------- areas
+    // ----------------------------------------------------------------------------- areas
     void area(const Shape& shape) {
         const auto span = [paint = painter(shape)](int y, int x0, int x1) {
             paint(y, x0, x1, full_coverage);
@@ -197,12 +223,45 @@ class ShapePass {
     }
 
     void smooth_area(const Shape& shape) {
-        const std::vector<Ring> rings = clipped_outline(shape);
-        area_coverage(std::span<const Ring>(rings), shape.inside, box_, painter(shape), probe_);
+        const std::vector<Ring> clipped = clipped_outline(shape);
+        const std::span<const Ring> rings(clipped);
+        switch (shape.antialiasing) {
+            case Antialiasing::Weighted:
+                return weighted_coverage(rings, shape.inside, box_, painter(shape), probe_);
+            case Antialiasing::Supersample:
+                return supersample(shape.samples, rings, shape.inside, box_, painter(shape), probe_);
+            default:
+                return area_coverage(rings, shape.inside, box_, painter(shape), probe_);
+        }
     }
 
-    // -----------------------------------------------------------------------------------------------
-    // outlines The corners of an area; of a line its rectangle, of a polyline all of them together.
+    // --------------------------------------------------------- shapes that share samples
+    // Neighbours in the list with as many samples are drawn together.
+    static bool shares_samples(const Shape& s) {
+        return s.antialiasing == Antialiasing::Multisample && !is_curve(s) &&
+               !(is_line(s) && lights_pixels(s));
+    }
+    void share(const Shape& shape) {
+        samples_ = shape.samples;
+        shared_.push_back({clipped_outline(shape), number_});
+        if constexpr (pipeline::Wants<Probe, SpanPainted>)
+            supersample(shape.samples, std::span<const Ring>(shared_.back().rings), shape.inside, box_,
+                        [&](int y, int x0, int x1, int coverage) {
+                            note<SpanPainted>(probe_, number_, y, x0, x1, coverage);
+                        });
+    }
+    void resolve() {
+        std::vector<SampledShape> sampled;
+        for (const Shared& one : shared_) {
+            const Shape& shape = scene_.shapes[one.shape];
+            sampled.push_back({one.rings, shape.inside, shape.color, shape.opacity});
+        }
+        if (!sampled.empty()) multisample(samples_, sampled, box_, picture_, probe_);
+        shared_.clear();
+    }
+
+    // -------------------------------------------------------------------------- outlines
+    // The corners of an area; of a line its rectangle, of a polyline all of them together.
     static std::vector<Ring> outline(const Shape& shape) {
         const std::vector<glm::vec2>& p = shape.points;
         if (shape.kind == ShapeKind::Rectangle) return {{p[0], {p[1].x, p[0].y}, p[1], {p[0].x, p[1].y}}};
@@ -215,10 +274,71 @@ class ShapePass {
         return rings;
     }
 
-    std::vector<Ring> clipped_outline(const Shape& shape) { return outline(shape); }
+    // An outline that the window leaves alone stays as it is, to the bit.
+    std::vector<Ring> clipped_outline(const Shape& shape) {
+        std::vector<Ring> rings = outline(shape);
+        if (!scene_.clip.on) return rings;
+        std::vector<Ring> left;
+        for (const Ring& ring : rings) {
+            const std::vector<glm::vec2> before(ring.begin(), ring.end());
+            const auto pieces = clipped_ring(before);
+            if (pieces.size() == 1 && pieces[0] == before)
+                left.push_back(ring);
+            else
+                for (const auto& piece : pieces) left.emplace_back(piece.begin(), piece.end());
+        }
+        if (left != rings) note<ShapeClipped>(probe_, number_, corners(rings), corners(left));
+        return left;
+    }
 
-    // -----------------------------------------------------------------------------------------------
-    // painting
+    using FloatRing = std::vector<glm::vec2>;
+    std::vector<FloatRing> clipped_ring(const FloatRing& ring) {
+        if (scene_.clip.polygons == PolygonClipper::GreinerHormann) return clipped_by_walking(ring);
+        if (window_.empty()) return {};
+        const bool in_passes = scene_.clip.polygons == PolygonClipper::SutherlandHodgman;
+        const pipeline::ClippedRing clipped =
+            in_passes ? pipeline::clip_ring_sutherland_hodgman(ring, window_, probe_)
+                      : pipeline::clip_ring_pipeline(ring, window_, probe_);
+        if (clipped.points.empty()) return {};
+        if (scene_.clip.split) return pipeline::split_bridges(clipped, probe_);
+        return {clipped.points};
+    }
+
+    std::vector<FloatRing> clipped_by_walking(const FloatRing& ring) {
+        const ShapeClip& clip = scene_.clip;
+        if (clip.polygon.empty())
+            return pipeline::clip_shape_greiner_hormann(ring, pipeline::ClipBox{clip.low, clip.high},
+                                                        pipeline::ClipKeep::Inside, probe_);
+        return pipeline::clip_shape_greiner_hormann(ring, clip.polygon, pipeline::ClipKeep::Inside, probe_);
+    }
+
+    // None for what is no window: nothing is left of any shape then.
+    static std::vector<pipeline::ClipLine> sides_of(const ShapeClip& clip) {
+        std::vector<pipeline::ClipLine> sides;
+        const pipeline::ClipBox box{clip.low, clip.high};
+        if (!clip.polygon.empty()) {
+            if (const auto convex = pipeline::convex_window(clip.polygon)) sides = *convex;
+        } else if (pipeline::is_window(box)) {
+            for (const Side side : clip.order) sides.push_back(pipeline::line_of(box, side));
+        }
+        return sides;
+    }
+    PixelBox pixels_of_window() const {
+        if (window_.empty()) return {0, 0, -1, -1};
+        const auto place = [](float c) { return static_cast<int>(std::clamp(c, -1e6f, 1e6f)); };
+        const ShapeClip& clip = scene_.clip;
+        return {std::max(box_.x0, place(std::ceil(clip.low.x))),
+                std::max(box_.y0, place(std::ceil(clip.low.y))),
+                std::min(box_.x1, place(std::floor(clip.high.x))),
+                std::min(box_.y1, place(std::floor(clip.high.y)))};
+    }
+    static std::size_t corners(const std::vector<Ring>& rings) {
+        std::size_t sum = 0;
+        for (const Ring& ring : rings) sum += ring.size();
+        return sum;
+    }
+
+    // -------------------------------------------------------------------------- painting
     auto painter(const Shape& shape) {
         return [this, &shape](int y, int x0, int x1, int coverage) { paint(shape, y, x0, x1, coverage); };
     }
@@ -235,8 +355,7 @@ class ShapePass {
         note<SpanPainted>(probe_, number_, y, x0, x1, coverage);
     }
 
-    // ------------------------------------------------------------------------------------------ small
-    // answers
+    // --------------------------------------------------------------------- small answers
     static bool is_line(const Shape& s) { return s.kind == ShapeKind::Line || s.kind == ShapeKind::Polyline; }
     static bool is_curve(const Shape& s) {
         return s.kind == ShapeKind::Circle || s.kind == ShapeKind::Ellipse;
@@ -269,10 +388,17 @@ class ShapePass {
     const ShapeScene& scene_;
     Image<LinearRgb>& picture_;
     Probe& probe_;
-    PixelBox box_;              // the picture
-    PixelBox pixel_box_;        // the pixels of it whose centre lies in an upright window
-    Image<std::uint8_t> mask_;  // those in a polygon; empty without one
-    std::size_t number_ = 0;    // of the shape that is drawn
+    std::vector<pipeline::ClipLine> window_;  // its sides
+    struct Shared {
+        std::vector<Ring> rings;
+        std::size_t shape;
+    };
+    std::vector<Shared> shared_;  // shapes that wait for their neighbours
+    int samples_ = 0;             // of these
+    PixelBox box_;                // the picture
+    PixelBox pixel_box_;          // the pixels of it whose centre lies in an upright window
+    Image<std::uint8_t> mask_;    // those in a polygon; empty without one
+    std::size_t number_ = 0;      // of the shape that is drawn
 };
 
 // Draws the scene over its background into `picture`, which has the size of the picture to be made. All
