@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#if RELEVO_DRAW_SHAPES
 #include "raster/draw_shapes.hpp"
-#endif
 #include "samples/io/apng.hpp"
+#include "samples/scene/shapes2d.hpp"
 #include "samples/show/lesson_page.hpp"
 #include "samples/show/lesson_sheet.hpp"
 #include "samples/show/stopwatch.hpp"
@@ -124,31 +123,23 @@ io::Failure write_lesson(const Lesson& lesson, const scene::LessonAxes& axes, Wo
     return {};
 }
 
-Picture drawn_shapes(const scene::LoadedScene& loaded) {
-    raster::Image<pipeline::LinearRgb> linear(loaded.width, loaded.height, loaded.shapes.background);
-#if RELEVO_DRAW_SHAPES
-    raster::draw_shapes(loaded.shapes, linear);
-#endif
-    Picture picture(loaded.width, loaded.height);
-    for (std::size_t i = 0; i < picture.pixels().size(); ++i)
-        picture.pixels()[i] = raster::to_rgba8(linear.pixels()[i], loaded.settings.output);
-    return picture;
-}
-
-Picture enlarged(const Picture& picture, int factor) {
-    Picture large(picture.width() * factor, picture.height() * factor);
-    paste(canvas_of(large), picture, 0, 0, factor);
-    return large;
+// What `relevo render` writes.
+Picture final_picture(const scene::LoadedScene& loaded) {
+    raster::Image<raster::LinearRgb> picture(loaded.width, loaded.height);
+    raster::draw_shapes(loaded.shapes, picture);
+    return scene::enlarged(raster::encoded(picture, loaded.settings.output), loaded.zoom);
 }
 
 io::Failure write_draft(const scene::LoadedScene& loaded, std::span<const Lesson* const> lessons,
                         Workplace& place) {
     Stopwatch watch;
-    const Picture final_picture = drawn_shapes(loaded);
-    const int factor = std::min(lesson_width / loaded.width, lesson_height / loaded.height);
-    if (auto failure = place.write("final.png", final_picture)) return failure;
+    const Picture picture = final_picture(loaded);
+    const int factor =
+        std::max(1, std::min(lesson_width / picture.width(), lesson_height / picture.height()));
+    if (auto failure = place.write("final.png", picture)) return failure;
     if (factor > 1)
-        if (auto failure = place.write("final-enlarged.png", enlarged(final_picture, factor))) return failure;
+        if (auto failure = place.write("final-enlarged.png", scene::enlarged(picture, factor)))
+            return failure;
     const double final_ms = watch.lap();
     std::vector<LessonRecord> records;
     std::vector<LessonTime> times;
@@ -161,7 +152,7 @@ io::Failure write_draft(const scene::LoadedScene& loaded, std::span<const Lesson
     const std::array<std::pair<std::string, std::string>, 3> lists{
         {{"steps.json", steps_json(loaded, records)},
          {"timing.json", timing_json(final_ms, times)},
-         {"index.html", lesson_page(loaded, records, std::max(factor, 1))}}};
+         {"index.html", lesson_page(loaded, records, picture, factor)}}};
     for (const auto& [file, bytes] : lists)
         if (auto failure = place.write(file, bytes)) return failure;
     return {};

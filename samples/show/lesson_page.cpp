@@ -258,7 +258,7 @@ std::string section(std::span<const LessonRecord> records, std::size_t i) {
 }  // namespace
 
 std::string lesson_page(const scene::LoadedScene& loaded, std::span<const LessonRecord> records,
-                        int final_factor) {
+                        const Picture& final_picture, int factor) {
     const std::string title = escaped(loaded.name) + ": lessons step by step";
     std::string page =
         html_head(title, style) +
@@ -272,9 +272,9 @@ std::string lesson_page(const scene::LoadedScene& loaded, std::span<const Lesson
             "finished picture{8}.</figcaption>\n</figure>\n</header>\n",
             title, counted(std::int64_t(loaded.shapes.shapes.size()), "shape"),
             counted(std::int64_t(records.size()), "lesson"), loaded.width, loaded.height,
-            final_factor > 1 ? "final-enlarged.png" : "final.png", loaded.width * final_factor,
-            loaded.height * final_factor,
-            final_factor > 1 ? fmt::format(", {} times as large", final_factor) : std::string());
+            factor > 1 ? "final-enlarged.png" : "final.png", final_picture.width() * factor,
+            final_picture.height() * factor,
+            factor > 1 ? fmt::format(", {} times as large", factor) : std::string());
     if (!records.empty()) {
         page += "<nav aria-label=\"Lessons\"><ol>\n";
         for (const LessonRecord& r : records) page += thumbnail(r);

@@ -15,8 +15,8 @@ struct LessonRecord {
     int frame_width = 0, frame_height = 0, strip_width = 0, strip_height = 0;
 };
 
-// `final_factor`: how many times larger final-enlarged.png is; 1: there is none.
+// `final_picture` is final.png; `factor`: how many times larger final-enlarged.png is; 1: there is none.
 std::string lesson_page(const scene::LoadedScene& loaded, std::span<const LessonRecord> records,
-                        int final_factor);
+                        const Picture& final_picture, int factor);
 
 }  // namespace relevo::show

@@ -115,7 +115,7 @@ io::Failure too_large_for_steps(const scene::LoadedScene& loaded) {
 }
 
 io::Failure write_steps(const scene::LoadedScene& loaded, const StepsOptions& options) {
-    if (!loaded.shapes.shapes.empty()) return write_lessons(loaded, lessons(loaded), options);
+    if (is_lesson(loaded)) return write_lessons(loaded, lessons(loaded), options);
     const auto chosen = chosen_stages(options.stages);
     if (!chosen) return chosen.error();
     if (const auto failure = too_large_for_steps(loaded)) return failure;
