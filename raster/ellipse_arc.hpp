@@ -12,7 +12,7 @@
 // (with Y^2(x) - Y^2(x + 1) = b^2 (2x + 1) / a^2). The ellipse is convex, so this is true up to some column
 // and false from there on; and where it is false, X falls by less than one column a row: region 2 is right.
 // The textbook asks for the gradient at the midpoint instead. That is a column early or late for three of a
-// hundred ellipses, which then miss the nearest pixel, or end before they reach (a, 0): ellipse_textbook.hpp.
+// hundred ellipses: ellipse_textbook.hpp.
 //
 // Everything is exact: 128 bits for a, b up to 2^20.
 #pragma once
