@@ -31,7 +31,12 @@ TEST(LineDda, ExactSlopesGiveTheMidpointLine) {
     for (const int dx : {1, 2, 4, 8, 16})
         for (int dy = -16; dy <= 16; ++dy) {
             if (std::abs(dy) > dx && 16 % std::abs(dy) != 0) continue;
-            EXPECT_EQ(dda_pixels({3, 5}, {3 + dx, 5 + dy}), midpoint_pixels({3, 5}, {3 + dx, 5 + dy}));
+            const Pixels right = midpoint_pixels({3, 5}, {3 + dx, 5 + dy});
+            EXPECT_EQ(dda_pixels({3, 5}, {3 + dx, 5 + dy}), right);
+            for (int x = 3; x < 8; ++x) {
+                const PixelBox box{x, -20, 30, 30};
+                EXPECT_EQ(dda_pixels({3, 5}, {3 + dx, 5 + dy}, box), tests::within(right, box));
+            }
         }
 }
 

@@ -224,8 +224,9 @@ TEST(LineMidpoint, EventsAreTheTextbooksNumbers) {
 // follows from its sign, the next pixel is the chosen candidate; in a box they are the events of the uncut
 // line.
 TEST(LineMidpoint, EventsFitTogether) {
-    for (const Pixel b : {Pixel{9, 4}, Pixel{4, 9}, Pixel{-4, 9}, Pixel{-9, 4}, Pixel{-9, -4}, Pixel{-4, -9},
-                          Pixel{4, -9}, Pixel{9, -4}, Pixel{6, 0}, Pixel{0, -6}, Pixel{5, 5}}) {
+    for (const Pixel b :
+         {Pixel{9, 4}, Pixel{4, 9}, Pixel{-4, 9}, Pixel{-9, 4}, Pixel{-9, -4}, Pixel{-4, -9}, Pixel{4, -9},
+          Pixel{9, -4}, Pixel{6, 0}, Pixel{0, -6}, Pixel{5, 5}, Pixel{8, 4}, Pixel{4, -8}}) {
         Listener whole, part;
         Pixels pixels;
         line_midpoint(
