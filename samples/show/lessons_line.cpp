@@ -430,7 +430,7 @@ std::vector<Lesson> explicit_lesson(const Subject& s) {
         "vertical ones divide by zero.",
         "textbook section 5.1, y = a x + B");
     Lesson& lesson = story.lesson();
-    lesson.columns = {"x", "y = a x + B", "row", "rows missed"};
+    lesson.columns = {"x", "y", "row", "missed"};
     std::ranges::copy(std::vector<LegendEntry>{{Kind::Cell, lit, "lit"},
                                                {Kind::Cell, lit_now, "lit now"},
                                                {Kind::Dot, point_color, "a x + B, before rounding"},
@@ -442,15 +442,17 @@ std::vector<Lesson> explicit_lesson(const Subject& s) {
         raster::line_explicit(
             nearest_pixel(s.points[line]), nearest_pixel(s.points[line + 1]), s.view, [](int, int) {}, heard);
         if (heard.undefined) {
-            story.add({prefix(s, line) + "a vertical line",
-                       fmt::format("a = dy / dx = {} / 0: undefined", heard.undefined->dy),
-                       "All points have the same x, so no function of x passes through them. The explicit "
-                       "form has no "
-                       "answer: nothing is drawn.",
-                       {},
-                       {mark(Kind::Cross, vermilion, {{s.points[line].x, s.points[line].y}}),
-                        mark(Kind::Cross, vermilion, {{s.points[line + 1].x, s.points[line + 1].y}})},
-                       {}});
+            LessonFrame frame;
+            frame.title = prefix(s, line) + "a vertical line";
+            frame.equation = fmt::format("a = dy / dx = {} / 0: undefined", heard.undefined->dy);
+            frame.caption =
+                "All points have the same x, so no function of x passes through them. The explicit "
+                "form has no answer: nothing is drawn.";
+            raster::line_midpoint(
+                nearest_pixel(s.points[line]), nearest_pixel(s.points[line + 1]), s.view, [&](int x, int y) {
+                    frame.now.push_back(mark(Kind::Cross, vermilion, {{double(x), double(y)}}));
+                });
+            story.add(std::move(frame));
             continue;
         }
         // In the words of the scene: pixel column -left is x = 0, and y may point up.
@@ -573,7 +575,7 @@ std::vector<Lesson> gupta_sproull_lesson(const Subject& s) {
                 "Gupta and Sproull 1981, Filtering edges for gray-scale displays; textbook section 8.2");
     Lesson& lesson = story.lesson();
     lesson.columns = {"x", "y", "t", "table", "all weights"};
-    std::ranges::copy(std::vector<LegendEntry>{{Kind::Area, haze, "the line with its width"},
+    std::ranges::copy(std::vector<LegendEntry>{{Kind::Outline, green, "the line with its width"},
                                                {Kind::Cell, lit, "has light"},
                                                {Kind::Cell, lit_now, "gets light now"},
                                                {Kind::Frame, straight_color, "the nearest pixel"},
@@ -585,7 +587,7 @@ std::vector<Lesson> gupta_sproull_lesson(const Subject& s) {
         const auto corners = raster::line_outline(a, b, s.shape.width);
         std::vector<Spot> outline;
         for (const glm::dvec2& c : corners) outline.push_back({c.x, c.y});
-        if (line < 2000) lesson.ground.push_back(mark(Kind::Area, haze, outline));
+        if (line < 2000) lesson.ground.push_back(mark(Kind::Outline, green, outline));
         GuptaSproullListener heard;
         raster::line_gupta_sproull(
             a, b, s.shape.width, s.view, [](int, int, int, int) {}, heard);
@@ -645,7 +647,7 @@ std::vector<Lesson> even_weight_lesson(const Subject& s) {
         "do for a way 1.41 times as long, and the line looks thinner. Dimming all others makes them alike.",
         "Foley, van Dam, Feiner, Hughes 1990, section 3.2.3");
     Lesson& lesson = story.lesson();
-    lesson.columns = {"line", "pixels", "length", "pixels a length", "weight"};
+    lesson.columns = {"line", "steps", "length", "steps/length", "weight"};
     lesson.legend.push_back({Kind::Cell, lit_now, "lit in full"});
     lesson.legend.push_back({Kind::Cell, lit, "dimmed"});
     for (std::size_t line = 0; line + 1 < s.points.size(); ++line) {
@@ -669,7 +671,7 @@ std::vector<Lesson> even_weight_lesson(const Subject& s) {
             "only 0.707.",
             walk.major, decimals(length), decimals(double(walk.major) / length));
         dimmed.title = prefix(s, line) + "the weight";
-        dimmed.equation = fmt::format("weight = length / (1.414 {}) = {} / {} = {}", major, decimals(length),
+        dimmed.equation = fmt::format("w = length / (1.414 {}) = {} / {} = {}", major, decimals(length),
                                       decimals(std::sqrt(2.0) * double(walk.major)), share(weight));
         dimmed.caption =
             fmt::format("Dimmed to {}, the line has the same light a length as a diagonal: {} * {} = 0.707.",

@@ -190,6 +190,7 @@ TEST(LineLessons, ExplicitShowsGapsAndTheVertical) {
     ASSERT_EQ(upright.frames.size(), 1u);
     EXPECT_EQ(upright.frames[0].equation, "a = dy / dx = 8 / 0: undefined");
     EXPECT_TRUE(lit(upright).empty());
+    EXPECT_EQ(std::ranges::count(upright.frames[0].now, Mark::Kind::Cross, &Mark::kind), 9);
 }
 
 TEST(LineLessons, WuSharesTheLight) {
@@ -224,7 +225,7 @@ TEST(LineLessons, EvenWeightIsExplained) {
     const Lesson& lesson = all[1];
     expect_well_told(lesson);
     ASSERT_EQ(lesson.frames.size(), 2u);
-    EXPECT_EQ(lesson.frames[1].equation, "weight = length / (1.414 dx) = 15.232 / 19.799 = 0.769");
+    EXPECT_EQ(lesson.frames[1].equation, "w = length / (1.414 dx) = 15.232 / 19.799 = 0.769");
     EXPECT_EQ(lit(lesson), midpoint_pixels(shape.points, lesson.view));
     EXPECT_EQ(lesson.frames[1].stays[0].level, 196);  // 0.769 * 255
 }
