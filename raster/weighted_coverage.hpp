@@ -6,9 +6,9 @@
 // shape that passes within a pixel's length gives it light, whether it touches the pixel's square or not.
 //
 // The volume is exact. As in area_coverage.hpp, edges add up: each gives the volume over what lies to its
-// right in its rows. Around a centre O, the volume over the triangle O p q is a function of where the line p
-// q runs; with h its distance from O, s the place along it and R = sqrt(h^2 + s^2) <= 1 it is f(h, s_q) -
-// f(h, s_p),
+// right in its rows. Around a centre O, the volume over the triangle O p q depends on where the line p q
+// runs. With h its distance from O, s the place along it and R = sqrt(h^2 + s^2) <= 1, it is f(h, s_q) - f(h,
+// s_p),
 //
 //   f(h, s) = (h s (3 - R) - h^3 ln((s + R) / h)) / 2 pi
 //
@@ -17,12 +17,12 @@
 // volume of a slice between two parallel lines (cone_half_plane in cone_table.hpp); an edge all across the
 // cone cuts it in two.
 //
-// Coordinates as area_coverage.hpp. Each edge's share is computed with an error below 1e-11 and rounded once,
-// as is the volume above each corner, so the coverage of a pixel whose cone k edges touch is within 3 k /
-// 2^17 of the exact volume; a tiling sums to exactly 65536 in every pixel, as there. Inside a shape, a
-// pixel's length from its outline, coverage is 65536. The sum over the frame is the area of the shape only as
-// far as its pixels sample it evenly: a place is seen by several cones, with a sum between 0.9549 (on a
-// centre) and 1.1187 (where four pixels meet), and 1 on average.
+// Coordinates as area_coverage.hpp. The volume is computed with an error below 1e-9 an edge and rounded to
+// 1/65536 at the end (not edge by edge: at the rim of the cone lie many pixels with next to no weight). So
+// the parts of a tiling sum to 65536 in every pixel up to half a unit each. Inside a shape, a pixel's length
+// from its outline, coverage is 65536. The sum over the frame is the area of the shape only as far as its
+// pixels sample it evenly: a place is seen by several cones, with a sum between 0.9549 (on a centre) and
+// 1.1187 (where four pixels meet), and 1 on average.
 #pragma once
 #include <cmath>
 
@@ -107,7 +107,9 @@ void weighted_coverage(std::span<const std::vector<glm::dvec2>> rings, InsideRul
     if (grid.empty() || !on_grid(rings)) return;
     auto edges = edges_of<ConeWalk>(rings);
     CoverageRow sums(grid.x0, grid.x1);
-    const auto rounded = [](double volume) { return static_cast<int>(std::lrint(65536 * volume)); };
+    // Summed in 1/2^32: the heights of the corners cancel out exactly.
+    const auto fine = [](double volume) -> std::int64_t { return std::llrint(0x1p32 * volume); };
+    const auto unit = [](std::int64_t sum) { return (sum + 32768) >> 16; };
     for_each_row(edges, grid.y0, grid.y1, [&](int row, std::span<ConeWalk* const> active) {
         const std::int64_t middle = ConeWalk::middle(row);
         for (const ConeWalk* walk : active) {
@@ -123,18 +125,19 @@ void weighted_coverage(std::span<const std::vector<glm::dvec2>> rings, InsideRul
                           0,
                           0};
             seen.slice_a = cone_half_plane(seen.a.y), seen.slice_b = cone_half_plane(seen.b.y);
-            const int beyond = rounded(seen.slice_b) - rounded(seen.slice_a);
+            const std::int64_t beyond = fine(seen.slice_b) - fine(seen.slice_a);
             const auto [left, right] = std::minmax(x_top, x_bottom);
             sums.add(static_cast<int>(left - 0.5), static_cast<int>(right + 0.5), e.sign, beyond,
                      [&](int column) {
                          seen.a.x = x_top - (column + 0.5), seen.b.x = x_bottom - (column + 0.5);
-                         const int share = rounded(cone_right_of(seen));
-                         note_share(probe, e, column, row, share, beyond);
+                         const std::int64_t share = fine(cone_right_of(seen));
+                         note_share(probe, e, column, row, static_cast<int>(unit(share)),
+                                    static_cast<int>(unit(beyond)));
                          return share;
                      });
         }
         sums.sweep([&](int from, int to, std::int64_t winding) {
-            emit_run(row, from, to, covered_part(winding, inside), cover, probe);
+            emit_run(row, from, to, covered_part(unit(winding), inside), cover, probe);
         });
     });
 }
