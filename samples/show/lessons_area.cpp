@@ -266,7 +266,8 @@ std::vector<LessonFrame> shared_corners(const Subject& s) {
                     center.y += spot_of(p).y / double(ring.size());
             }
             frame.now.push_back(std::move(outline));
-            frame.now.push_back(label(center, accent(i), fmt::format("shape {}", i + 1)));
+            if (s.view.holds(std::llround(center.x), std::llround(center.y)))
+                frame.now.push_back(label(center, accent(i), fmt::format("shape {}", i + 1)));
         }
         frame.now.push_back(cell(x, y, accent(owners.back())));
         frame.now.push_back(mark(Kind::Frame, ink, {{double(x), double(y)}}));
@@ -379,9 +380,8 @@ struct ScanTeller {
                      mark(Kind::Dot, edge_colors[std::size_t(right)], {place(e.right_at, e.y)})};
         light(frame, e.y, e.x0, e.x1);
         pixels += std::max(e.x1 - e.x0, 0);
-        frame.row = {s.words.y(e.y),          s.words.x(e.left_at.x),
-                     rest(left, e.left_at),   s.words.x(e.right_at.x),
-                     rest(right, e.right_at), e.x0 < e.x1 ? s.words.pixels(e.x0, e.x1) : "none"};
+        frame.row = {s.words.y(e.y), left_of(left, e.left_at), left_of(right, e.right_at),
+                     fmt::format("{}", std::max(e.x1 - e.x0, 0))};
         rows.add(std::move(frame));
     }
 };
@@ -393,10 +393,10 @@ Lesson triangle_scan_lesson(const Subject& s) {
                   "from row to row in whole numbers.",
                   "textbook section 5.4, algorithm 5.2, fig. 5.10");
     for (Mark& outline : lesson.ground) outline.color = haze;  // the edges get colours of their own
-    lesson.columns = {"y", "x left", "rest left", "x right", "rest right", "lit"};
+    lesson.columns = {"y", "left", "right", "lit"};
     for (std::size_t i = 0; i < 3; ++i)
         lesson.legend.push_back({Kind::Segment, edge_colors[i], edge_names[i]});
-    lesson.legend.push_back({Kind::Dot, blue, "where an edge crosses the row of centres"});
+    lesson.legend.push_back({Kind::Dot, blue, "edge meets the row"});
     ScanTeller teller{s, lesson, {}, {}, {}};
     raster::triangle_scan(
         {s.ring[0], s.ring[1], s.ring[2]}, s.rule, s.view, [](int, int, int) {}, teller);
@@ -453,11 +453,11 @@ Lesson edge_function_lesson(const Subject& s) {
                               "A pixel is lit when its centre lies on the inner side of all three edges.",
                               "Pineda 1988; compare textbook section 5.4");
     for (Mark& outline : lesson.ground) outline.color = haze;
-    lesson.columns = {"x", "y", "E0", "E1", "E2", "inside"};
+    lesson.columns = {"x", "y", "E0", "E1", "E2"};
     for (std::size_t k = 0; k < 3; ++k)
         lesson.legend.push_back({Kind::Segment, edge_colors[k], fmt::format("E{} = 0", k)});
-    lesson.legend.push_back({Kind::Frame, ink, "the pixel of the equation"});
-    lesson.legend.push_back({Kind::Cross, ink, "the next one outside"});
+    lesson.legend.push_back({Kind::Frame, ink, "pixel of the equation"});
+    lesson.legend.push_back({Kind::Cross, ink, "next one outside"});
     Rows rows;
     std::int64_t pixels = 0;
     const auto form = edge_form(s);
@@ -539,8 +539,8 @@ Lesson edge_function_lesson(const Subject& s) {
         }
         frame.now.push_back(mark(Kind::Frame, ink, {{double(span.x0), double(y)}}));
         const raster::EdgeValues e = form->at(span.x0, y);
-        frame.row = {s.words.x(span.x0),  s.words.y(y),        square_pixels(e.e0),
-                     square_pixels(e.e1), square_pixels(e.e2), s.words.pixels(span.x0, span.x1)};
+        frame.row = {s.words.x(span.x0), s.words.y(y), square_pixels(e.e0), square_pixels(e.e1),
+                     square_pixels(e.e2)};
         pixels += span.x1 - span.x0;
         rows.add(std::move(frame));
     }
@@ -606,8 +606,8 @@ Lesson rectangle_lesson(const Subject& s) {
                   "textbook section 5.4, fig. 5.8");
     lesson.columns = {"y", "first x", "last x"};
     lesson.ground.clear();
-    lesson.legend.push_back({Kind::Segment, blue, "closed side: its centres are lit"});
-    lesson.legend.push_back({Kind::Dashes, vermilion, "open side: its centres are not"});
+    lesson.legend.push_back({Kind::Segment, blue, "closed side"});
+    lesson.legend.push_back({Kind::Dashes, vermilion, "open side"});
     RectangleTeller teller{s, lesson};
     Rows rows;
     std::int64_t pixels = 0;
@@ -645,8 +645,7 @@ struct PolygonTeller {
     Rows rows;
     std::map<int, raster::TableEdge> edges;  // by number
     std::vector<std::string> entered, left;  // since the last row
-    std::vector<std::string> pixels_of_row;
-    std::int64_t pixels = 0;
+    std::int64_t pixels_of_row = 0, pixels = 0;
 
     void on(const raster::EdgeTableBuilt& e) {
         LessonFrame frame;
@@ -702,7 +701,7 @@ struct PolygonTeller {
             const raster::TableEdge& line = edges.at(edge.number);
             if (e.edges.size() <= most_labels) {
                 frame.now.push_back(mark(Kind::Segment, color, {spot_of(line.upper), spot_of(line.lower)}));
-                if (i + 1 < e.edges.size() && e.edges[i + 1].at.place() - edge.at.place() >= 1)
+                if (i + 1 < e.edges.size() && e.edges[i + 1].at.place() - edge.at.place() >= 2.5)
                     frame.now.push_back(
                         label({(edge.at.place() + e.edges[i + 1].at.place()) / 2, double(e.y)}, ink,
                               fmt::format("{}", winding)));
@@ -718,17 +717,17 @@ struct PolygonTeller {
                 fmt::format("{} {}. ", left.size() == 1 ? "Leaves: edge" : "Leave: edges", listed(left, 8));
         frame.caption += fmt::format("From left to right the winding number is {}: inside where it is {}.",
                                      listed(windings, 12), odd ? "odd" : "not 0");
-        frame.row = {s.words.y(e.y), listed(numbers, 6), listed(crossings, 6), "none"};
-        entered.clear(), left.clear(), pixels_of_row.clear();
+        frame.row = {s.words.y(e.y), listed(numbers, 5), "0"};
+        pixels_of_row = 0;
+        entered.clear(), left.clear();
         rows.add(std::move(frame));
     }
 
     void on(const raster::PolygonSpan& e) {
         light(rows.last(), e.y, e.x0, e.x1);
         pixels += e.x1 - e.x0;
-        const std::string x0 = s.words.x(e.x0), x1 = s.words.x(e.x1 - 1);
-        pixels_of_row.push_back(x0 == x1 ? x0 : fmt::format("{} to {}", x0, x1));
-        rows.last().row.back() = listed(pixels_of_row, 6);
+        pixels_of_row += e.x1 - e.x0;
+        rows.last().row.back() = fmt::format("{}", pixels_of_row);
     }
 };
 
@@ -738,11 +737,11 @@ Lesson polygon_lesson(const Subject& s) {
                               "right: between them lies what "
                               "is inside.",
                               "Wylie, Romney, Evans and Erdahl 1967; textbook section 5.4");
-    lesson.columns = {"y", "active edges", "crossings", "lit"};
-    lesson.legend.push_back({Kind::Segment, down_color, "edge that runs down: +1"});
-    lesson.legend.push_back({Kind::Segment, up_color, "edge that runs up: -1"});
-    lesson.legend.push_back({Kind::Text, ink, "number between edges: winding number"});
-    PolygonTeller teller{s, lesson, {}, {}, {}, {}, {}};
+    lesson.columns = {"y", "active edges", "lit"};
+    lesson.legend.push_back({Kind::Segment, down_color, "edge down: +1"});
+    lesson.legend.push_back({Kind::Segment, up_color, "edge up: -1"});
+    lesson.legend.push_back({Kind::Text, ink, "winding number"});
+    PolygonTeller teller{s, lesson, {}, {}, {}, {}};
     raster::polygon_active_edges(
         std::span(&s.ring, 1), s.shape.inside, s.rule, s.view, [](int, int, int) {}, teller);
     finish(s, lesson, teller.rows, teller.pixels);
