@@ -67,18 +67,70 @@ constexpr Item events[] = {
      "a vertex went through the transforms: object, eye and clip coordinates, clip codes"},
     {"TriangleRejected", "a triangle or piece ended: NonFinite, Outside, ZeroArea, Culled or NoPixel"},
     {"TriangleClipped", "a triangle crossed near, far or the guard band; the polygon that is left"},
+    {"EdgeCrossed", "an edge of the clipped triangle crosses a plane: the new corner"},
+    {"PolygonClipped", "one plane of the view volume is done: corners before and after"},
     {"TriangleSnapped", "a triangle or piece reached the window with an area: corners, area, facing"},
     {"FragmentCovered", "a pixel centre belongs to a triangle"},
     {"DepthTested", "its depth was compared with the stored one"},
     {"FragmentShaded", "it was lit and written: weights, interpolated values, colour"},
 };
 
-// Of the machine of lessons; those of an algorithm stand at the top of its header.
 constexpr Item lesson_events[] = {
     {"ShapeStarted", "a shape of a lesson begins"},
     {"ShapeRefused", "a shape was left out: a coordinate, radius or width is too large or not finite"},
     {"ShapeClipped", "the window cut an area or a smooth line: corners before and after"},
     {"SpanPainted", "a run of pixels got the shape's colour by one coverage"},
+    {"LineStarted", "midpoint line: its direction, the first d, what a step adds to it"},
+    {"LineStep", "midpoint line: d, the candidates, the midpoint, the choice"},
+    {"DdaStarted", "DDA: the slope"},
+    {"DdaStep", "DDA: the sum and the pixel nearest to it"},
+    {"ExplicitStarted", "explicit line: a and B of y = a x + B"},
+    {"ExplicitColumn", "explicit line: y of a column, and its pixel"},
+    {"SlopeUndefined", "explicit line: it is upright, and there is no slope"},
+    {"WuStarted", "smooth line of Wu: its direction"},
+    {"WuPair", "smooth line of Wu: two pixels share the light of a column"},
+    {"GuptaSproullStarted", "smooth line by a cone: its width and angle"},
+    {"GuptaSproullColumn", "smooth line by a cone: where it passes a column"},
+    {"GuptaSproullPixel", "smooth line by a cone: distance, table, ends, coverage of a pixel"},
+    {"CircleStarted", "a circle begins: centre and radius"},
+    {"CircleStep", "circle: d at a pixel of the octant, E or SE"},
+    {"CircleSecondOrderStep", "circle: d and both its increments"},
+    {"CirclePart", "the clipper kept, dropped or cut a circle, quadrant or octant"},
+    {"EllipseStarted", "an ellipse begins: centre, radii, where region 1 ends"},
+    {"EllipseStep", "ellipse: the region, d at a pixel, the choice"},
+    {"EllipseTurned", "ellipse: region 2 begins, and d is computed anew"},
+    {"EllipseSecondOrderStep", "ellipse: d and the parts of its increment"},
+    {"EllipseGradient", "the textbook's ellipse: its test for the end of region 1"},
+    {"EllipseStopped", "the textbook's ellipse: where it ended, and where it should have"},
+    {"DiscRow", "a row of a filled circle or ellipse"},
+    {"CurveRow", "a row of a smooth disc or ring: half widths and area"},
+    {"RectangleBounded", "the pixels of a rectangle"},
+    {"TriangleClassified", "corners from top to bottom, and on which side the long edge is"},
+    {"TriangleEdgeStarted", "an edge of a triangle begins to bound the rows"},
+    {"TriangleRow", "a row between two edges of a triangle"},
+    {"EdgeTableBuilt", "polygon: the edges sorted by their first row"},
+    {"EdgeEnters", "polygon: an edge becomes active"},
+    {"EdgeLeaves", "polygon: an edge has ended"},
+    {"RowCrossed", "polygon: the active edges of a row, from left to right"},
+    {"PolygonSpan", "polygon: pixels between two edges, and their winding number"},
+    {"EdgeShared", "area coverage: the share that an edge gives to a pixel"},
+    {"RunCovered", "coverage of a run of pixels by area, weight or samples"},
+    {"SamplesInside", "a run of sample points lies inside of the shape"},
+    {"PixelResolved", "multisample: a pixel became the average of its points"},
+    {"ClipRefused", "a clipper refused: a number that is not finite, or no such window"},
+    {"OutcodesCompared", "Cohen-Sutherland: the codes of both ends"},
+    {"SideCrossed", "Cohen-Sutherland: an end moves to a side of the window"},
+    {"SideParameterFound", "Cyrus-Beck: normal, numerator, denominator and t of a side"},
+    {"BoxParameterFound", "Liang-Barsky: numerator, denominator and t of a side"},
+    {"SegmentHalved", "midpoint subdivision: the middle and its code"},
+    {"ShapeEdgeClassified", "Sutherland-Hodgman: entering, inside, leaving or outside (fig. 4.7)"},
+    {"ShapePointEmitted", "Sutherland-Hodgman: a corner or crossing goes into the result (fig. 4.8)"},
+    {"ShapeSideDone", "Sutherland-Hodgman: the polygon after one side (fig. 4.6)"},
+    {"ShapeStageHolds", "Sutherland-Hodgman as a pipeline: what a stage remembers"},
+    {"BridgeRemoved", "two edges that lie upon each other are cut out"},
+    {"PieceFound", "a polygon that came apart"},
+    {"OutlinesMeet", "Greiner-Hormann: the outlines meet; entering, leaving or touching"},
+    {"OutlineWalked", "Greiner-Hormann: a stretch of the result, along which outline"},
 };
 
 constexpr Item formats[] = {
@@ -93,8 +145,8 @@ constexpr Item formats[] = {
     {".html", "the pages of steps: pictures of stages, lessons moment by moment, written"},
 };
 
-void print(const Item& item, int indent = 0) {
-    say("{:{}}{:<{}}  {}\n", "", indent, item.name, 18 - indent, item.sentence);
+void print(const Item& item, int indent = 0, int column = 18) {
+    say("{:{}}{:<{}}  {}\n", "", indent, item.name, column - indent, item.sentence);
 }
 
 void print_all(std::span<const Item> items) {
@@ -134,7 +186,7 @@ void list_algorithms() {
 void list_events() {
     print_all(events);
     say("\nLessons:\n");
-    for (const Item& item : lesson_events) print(item, 2);
+    for (const Item& item : lesson_events) print(item, 2, 24);
 }
 
 void list_formats() {

@@ -1,12 +1,14 @@
 // Draws scenes and writes what must be the same bytes wherever it runs: colour, then depth, one file a
 // picture.
-//   hash_scenes FOLDER WIDTHxHEIGHT SCENE...       FOLDER/NAME-SHADING for each scene in every shading
+//   hash_scenes FOLDER WIDTHxHEIGHT SCENE...       FOLDER/NAME-SHADING for each scene in every shading;
+//                                                  FOLDER/NAME for each lesson, linear light, in its own size
 // scripts/determinism builds it in many ways and compares the sums of what it wrote.
 #include <cstdio>
 #include <string_view>
 #include <utility>
 
 #include "raster/draw.hpp"
+#include "raster/draw_shapes.hpp"
 #include "samples/io/file.hpp"
 #include "samples/scene/scene.hpp"
 
@@ -26,7 +28,15 @@ std::string_view bytes(const raster::Image<Pixel>& image) {
     return {reinterpret_cast<const char*>(image.pixels().data()), image.pixels().size() * sizeof(Pixel)};
 }
 
+io::Failure write_lesson(const scene::LoadedScene& lesson, const std::string& folder) {
+    raster::Image<raster::LinearRgb> picture(lesson.width, lesson.height);
+    raster::draw_shapes(lesson.shapes, picture);
+    return io::write_file(folder + "/" + lesson.name, std::string(bytes(picture)));
+}
+
 io::Failure write_pictures(const std::string& path, std::pair<int, int> size, const std::string& folder) {
+    const auto as_it_is = scene::load_scene(path);
+    if (as_it_is && is_lesson(*as_it_is)) return write_lesson(*as_it_is, folder);
     auto loaded = scene::load_scene(path, {{}, size});
     if (!loaded) return loaded.error();
     raster::Frame frame = scene::make_frame(*loaded);
