@@ -71,7 +71,7 @@ void AnimatedPng::add(const Picture& picture, int milliseconds) {
     const bool first = frames_++ == 0;
     assert(first || (picture.width() == last_.width() && picture.height() == last_.height()));
     const Area area = first ? Area{0, 0, picture.width(), picture.height()} : changed_area(last_, picture);
-    const std::string png = png_bytes(part_of(picture, area), 3);
+    const std::string png = png_bytes(part_of(picture, area), 3, PngContents::Diagram);
     if (first) header_ = contents(png, "IHDR");
     add_control(area.x, area.y, area.width, area.height, milliseconds);
     const std::string pixels = contents(png, "IDAT");

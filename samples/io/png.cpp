@@ -36,12 +36,15 @@ bool too_large(const raster::Image<raster::Rgba8>& image, int channels) {
 
 }  // namespace
 
-std::string png_bytes(const raster::Image<raster::Rgba8>& image, int channels) {
+std::string png_bytes(const raster::Image<raster::Rgba8>& image, int channels, PngContents contents) {
     static_assert(sizeof(raster::Rgba8) == 4);
     std::string bytes;
     if (image.empty() || too_large(image, channels)) return bytes;
     const std::vector<std::uint8_t> rgb = channels == 3 ? rgb_rows(image) : std::vector<std::uint8_t>();
     const void* const rows = channels == 3 ? static_cast<const void*>(rgb.data()) : image.pixels().data();
+    const bool diagram = contents == PngContents::Diagram;
+    stbi_write_force_png_filter = diagram ? 0 : -1;
+    stbi_write_png_compression_level = diagram ? 5 : 8;
     stbi_write_png_to_func(take_bytes, &bytes, image.width(), image.height(), channels, rows,
                            image.width() * channels);
     return bytes;
@@ -54,7 +57,7 @@ Failure write_png(const std::string& path, const raster::Image<raster::Rgba8>& i
     const int channels = opaque ? 3 : 4;
     if (too_large(image, channels))
         return error_in(path, "cannot be written: the picture is too large for a PNG file, at most 2 GB");
-    const std::string bytes = png_bytes(image, channels);
+    const std::string bytes = png_bytes(image, channels, PngContents::Any);
     if (bytes.empty()) return error_in(path, "cannot be written: not enough memory for the PNG encoder");
     return write_file(path, bytes);
 }

@@ -7,6 +7,7 @@
 
 #include "raster/draw_shapes.hpp"
 #include "samples/io/apng.hpp"
+#include "samples/io/png.hpp"
 #include "samples/scene/shapes2d.hpp"
 #include "samples/show/lesson_page.hpp"
 #include "samples/show/lesson_sheet.hpp"
@@ -100,6 +101,8 @@ std::string timing_json(double final_ms, const std::vector<LessonTime>& times) {
 
 // ---- the pictures ----
 
+std::string diagram(const Picture& picture) { return io::png_bytes(picture, 3, io::PngContents::Diagram); }
+
 io::Failure write_lesson(const Lesson& lesson, const scene::LessonAxes& axes, Workplace& place,
                          LessonRecord& record, LessonTime& time) {
     Stopwatch watch;
@@ -108,14 +111,14 @@ io::Failure write_lesson(const Lesson& lesson, const scene::LessonAxes& axes, Wo
         const Picture picture = draw_lesson_frame(lesson, axes, i).picture;
         time.draw_ms += watch.lap();
         record.frame_width = picture.width(), record.frame_height = picture.height();
-        if (auto failure = place.write(lesson_frame_file(lesson, i), picture)) return failure;
+        if (auto failure = place.write(lesson_frame_file(lesson, i), diagram(picture))) return failure;
         film.add(picture, i + 1 < lesson.frames.size() ? frame_ms : last_frame_ms);
         time.write_ms += watch.lap();
     }
     const Picture strip = draw_lesson_strip(lesson, axes);
     record.strip_width = strip.width(), record.strip_height = strip.height();
     time.draw_ms += watch.lap();
-    if (auto failure = place.write(lesson.name + ".png", strip)) return failure;
+    if (auto failure = place.write(lesson.name + ".png", diagram(strip))) return failure;
     if (auto failure = place.write(lesson.name + ".apng", film.bytes())) return failure;
     if (auto failure = place.write(lesson.name + ".csv", lesson_csv(lesson))) return failure;
     if (auto failure = place.write(lesson.name + ".json", lesson_json(lesson, axes))) return failure;

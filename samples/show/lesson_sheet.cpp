@@ -16,7 +16,8 @@ using Lines = std::vector<std::string>;
 constexpr int small = 2, large = 3;  // sizes of letters, pixels a dot
 constexpr int letter_width = small * letter_cell, small_row = 26, large_row = 34;
 constexpr int page_bar = 76, gap = 14, padding = 14;
-constexpr int largest_cell = 64, least_cell_of_lines = 5;
+constexpr int largest_cell = 64, good_cell = 36, least_cell_of_lines = 5;
+constexpr int most_lesson_height = 860;
 
 // ---- words ----
 
@@ -511,6 +512,10 @@ Plan plan_of(const Lesson& lesson, const scene::LessonAxes& axes, Plan::Kind kin
     const GridSize size = size_of(lesson.view);
     const int beside = plan.panel_width > 0 ? plan.panel_width + page_margin : 0;
     const int room_x = inner - beside - edges.left - edges.right;
+    // Where words leave too little room for the pixels, the page gets longer.
+    const int wanted = std::clamp(room_x / size.columns, 1, good_cell);
+    plan.height = std::clamp(size.rows * wanted + edges.top + edges.bottom + plan.height - plan.body_height(),
+                             lesson_height, most_lesson_height);
     const int room_y = std::max(plan.body_height(), plan.panel_height) - edges.top - edges.bottom;
     plan.cell = std::clamp(std::min(room_x / size.columns, room_y / size.rows), 1, largest_cell);
     plan.width =
@@ -520,15 +525,15 @@ Plan plan_of(const Lesson& lesson, const scene::LessonAxes& axes, Plan::Kind kin
     return plan;
 }
 
-// The plan with the largest pixels; of equal ones the smallest page.
+// The plan whose pixels are the largest part of their page.
 Plan best_plan(const Lesson& lesson, const scene::LessonAxes& axes) {
     Plan best = plan_of(lesson, axes, Plan::Kind::AllRight);
     if (best.table.cut) best.cell = 0;
     for (const Plan::Kind kind : {Plan::Kind::TableBelow, Plan::Kind::AllBelow}) {
         const Plan other = plan_of(lesson, axes, kind);
-        if (other.cell > best.cell ||
-            (other.cell == best.cell && other.width * other.height < best.width * best.height))
-            best = other;
+        const std::int64_t gain = std::int64_t{other.cell} * best.width * best.height -
+                                  std::int64_t{best.cell} * other.width * other.height;
+        if (gain > 0) best = other;
     }
     return best;
 }
@@ -687,7 +692,7 @@ int place_item(Canvas canvas, const Strip& strip, std::size_t frame_number, int 
     const int columns = columns_in(strip.column_width, large);
     const Lines equation = broken(now.equation, columns), caption = broken(now.caption, columns);
     const int grid_y = y + title_height, equation_y = grid_y + strip.grid_height() + gap,
-              caption_y = equation_y + height_of(equation, large_row);
+              caption_y = equation_y + height_of(equation, large_row) + (equation.empty() ? 0 : 6);
     if (draw) {
         const std::string number = fmt::format("{}", frame_number + 1);
         const int badge = text_width(number, large) + 16;
