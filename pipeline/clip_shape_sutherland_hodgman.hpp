@@ -56,6 +56,7 @@ struct ClippedRing {
 struct ShapeCorner {
     glm::vec2 point;   // rounded, when it is a crossing
     ClipLine arrives;  // the line of the edge that ends here
+    std::size_t edge;  // the edge of the polygon that it comes from; edge i ends in point i
     int edge_side = -1, point_side = -1;
     bool is_crossing = false;
     ClipLine along{}, cut{};
@@ -87,6 +88,7 @@ void clip_shape_edge(const ShapeCorner& from, int from_side, const ShapeCorner& 
     if (from_side * to_side < 0) {
         ShapeCorner crossing{meeting_point({to.arrives.from, to.arrives.to}, line),
                              starts ? to.arrives : line,
+                             to.edge,
                              starts ? to.edge_side : static_cast<int>(side),
                              static_cast<int>(side),
                              true,
@@ -106,33 +108,49 @@ void clip_shape_edge(const ShapeCorner& from, int from_side, const ShapeCorner& 
 // The corners of a polygon as the first side takes them.
 inline ShapeCorner shape_corner(std::span<const glm::vec2> polygon, std::size_t i) {
     const glm::vec2 &before = polygon[i == 0 ? polygon.size() - 1 : i - 1], &point = polygon[i];
-    return {point, {before, point}};
+    return {point, {before, point}, i};
 }
 
-// The corners as points; of equal neighbours only one remains.
+// The corners as points, of equal neighbours only one. Every side starts its list one edge later; here it is
+// turned back, so that a polygon that is not cut comes out as it went in.
 class RingBuilder {
   public:
     void push(const ShapeCorner& corner) {
-        if (!ring_.points.empty() && corner.point == ring_.points.back()) {
-            merge(ring_.point_side.back(), corner.point_side);
-            return;
-        }
-        ring_.points.push_back(corner.point);
-        ring_.edge_side.push_back(corner.edge_side);
-        ring_.point_side.push_back(corner.point_side);
+        if (!corners_.empty() && corner.point == corners_.back().point)
+            merge(corners_.back(), corner);
+        else
+            corners_.push_back({corner.point, corner.edge, corner.edge_side, corner.point_side});
     }
     ClippedRing finished() && {
-        while (ring_.points.size() > 1 && ring_.points.back() == ring_.points.front()) {
-            merge(ring_.point_side.front(), ring_.point_side.back());
-            ring_.edge_side.front() = ring_.edge_side.back();
-            ring_.points.pop_back(), ring_.edge_side.pop_back(), ring_.point_side.pop_back();
+        while (corners_.size() > 1 && corners_.back().point == corners_.front().point) {
+            merge(corners_.front(), corners_.back());
+            corners_.front().edge_side = corners_.back().edge_side;
+            corners_.pop_back();
         }
-        return ring_.points.size() < 3 ? ClippedRing{} : std::move(ring_);
+        ClippedRing ring;
+        if (corners_.size() < 3) return ring;
+        const auto later = [](const Corner& a, const Corner& b) { return a.edge > b.edge; };
+        const auto last = std::ranges::adjacent_find(corners_, later);
+        if (last != corners_.end()) std::ranges::rotate(corners_, last + 1);
+        for (const Corner& corner : corners_) {
+            ring.points.push_back(corner.point);
+            ring.edge_side.push_back(corner.edge_side);
+            ring.point_side.push_back(corner.point_side);
+        }
+        return ring;
     }
 
   private:
-    static void merge(int& kept, int dropped) { kept = std::max(kept, dropped); }
-    ClippedRing ring_;
+    struct Corner {
+        glm::vec2 point;
+        std::size_t edge;
+        int edge_side, point_side;
+    };
+    static void merge(Corner& kept, const auto& dropped) {
+        kept.edge = std::min(kept.edge, dropped.edge);
+        kept.point_side = std::max(kept.point_side, dropped.point_side);
+    }
+    std::vector<Corner> corners_;
 };
 
 // The polygon inside all lines, in passes.

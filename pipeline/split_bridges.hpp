@@ -9,8 +9,9 @@
 //
 // in:  what clip_ring_sutherland_hodgman or clip_ring_pipeline returns
 // out: polygons of the winding of the whole, none with fewer than three points. Their areas sum to that of
-//      the input, since edges are only removed in opposite pairs; this holds for polygons that cross
-//      themselves, too, whose pieces may cross each other. Time n log n.
+//      the input, since edges are only removed in opposite pairs (on a slanted side up to the rounding of its
+//      points); this holds for polygons that cross themselves, too, whose pieces may cross each other. Time
+//      n log n.
 //
 // Points on a side come in the order of the exact ones, since rounding keeps the order along a line; no
 // decision depends on a rounded point lying on a slanted side.
