@@ -68,6 +68,15 @@ inline constexpr AccuracyRow accuracy_rows[] = {
     {"float32-forward at 30", "distance", "near 0.1, far 10000", 1.9e-5, "of the distance", 0},
     {"float32-forward at 1000", "distance", "near 0.1, far 10000", 7e-4, "of the distance", 0},
     {"float32-forward at 9000", "distance", "near 0.1, far 10000", 0.011, "of the distance", 0},
+    // lines, instructions a step
+    {"line, dda", "line, midpoint", "lines on 1024 x 1024 pixels", 0.004, "of the pixels differ", 15},
+    {"line, dda, sum", "exact sum", "lines on 1024 x 1024 pixels", 0.03, "pixel", 0},
+    {"line, wu", "exact area", "width 1", 0.34, "of full coverage", 24},
+    {"line, wu, rms", "exact area", "width 1", 0.085, "of full coverage", 0},
+    {"line, gupta-sproull", "exact cone over the rectangle", "width 0.5 to 4", 0.01, "of full coverage", 284},
+    {"line, gupta-sproull, rms", "exact cone over the rectangle", "width 0.5 to 4", 0.001, "of full coverage",
+     0},
+    {"cone table", "exact volume", "any distance", 3e-6, "of the cone", 17},
 };
 
 inline std::span<const AccuracyRow> accuracy_table() { return accuracy_rows; }

@@ -12,8 +12,12 @@
 #include "pipeline/elementary.hpp"
 #include "pipeline/normalize.hpp"
 #include "pipeline/viewport.hpp"
+#include "raster/cone_table.hpp"
 #include "raster/depth.hpp"
 #include "raster/interpolate.hpp"
+#include "raster/line_dda.hpp"
+#include "raster/line_gupta_sproull.hpp"
+#include "raster/line_wu.hpp"
 #include "raster/output.hpp"
 #include "raster/shading.hpp"
 #include "raster/texture.hpp"
@@ -143,6 +147,39 @@ void texture_and_output(const Inputs& in) {
     count("output, raw", [&](int i) { return raster::to_raw8(in.unit[std::size_t(i)]); });
 }
 
+// A step along a line: the first call draws ten lines of a hundred steps, the others do nothing.
+template <class DrawLine>
+void count_steps(const char* row, DrawLine draw_line) {
+    static std::array<std::int32_t, 128 * 128> picture;
+    keep(picture);
+    count(row, [&](int i) {
+        for (int slope = 0; i == 0 && slope < 10; ++slope)
+            draw_line(10 * slope, [](int y, int x, int coverage) {
+                picture[static_cast<std::size_t>(128 * y + x)] = coverage;
+            });
+        return i;
+    });
+    keep(picture);
+}
+
+void lines(const Inputs& in) {
+    const raster::PixelBox box{0, 0, 127, 127};
+    count_steps("line, dda", [&](int y, auto light) {
+        raster::line_dda({5, 5}, {105, 5 + y}, box, [&](int px, int py) { light(py, px, 1); });
+    });
+    count_steps("line, wu", [&](int y, auto light) {
+        raster::line_wu({5, 5}, {105, 5 + y}, box, [&](int py, int px, int, int c) { light(py, px, c); });
+    });
+    count_steps("line, gupta-sproull", [&](int y, auto light) {
+        raster::line_gupta_sproull({5, 5}, {105, 5 + y}, 1, box,
+                                   [&](int py, int px, int, int c) { light(py, px, c); });
+    });
+    const raster::ConeTable& table = raster::cone_table();
+    count("cone table", [&](int i) {
+        return table(static_cast<std::int64_t>(in.unit[static_cast<std::size_t>(i)] * Scalar(0x1p32)));
+    });
+}
+
 // A pixel of each shading, with one point light; of the row that names the setting.
 void shading(const Inputs& in) {
     const pipeline::EyeLight light{false, {1, 2, 3}, {1, 1, 1}};
@@ -187,4 +224,5 @@ int main(int arguments, char** words) {
     geometry(in);
     texture_and_output(in);
     shading(in);
+    lines(in);
 }
