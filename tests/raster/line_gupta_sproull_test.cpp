@@ -38,6 +38,7 @@ TEST(LineGuptaSproull, ThreePixelsAColumn) {
         EXPECT_NEAR(2 * c.of(0, y), c.of(10, y), 2);
         EXPECT_NEAR(c.of(-1, y) + c.of(1, y), c.of(10, y), 2);
         EXPECT_EQ(c.of(-2, y), 0);
+        for (const int x : {-1, 0, 1}) EXPECT_NEAR(c.of(20 - x, y), c.of(x, y), 2);
     }
 }
 
