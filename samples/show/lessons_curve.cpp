@@ -35,7 +35,8 @@ constexpr std::size_t most_frames = 48;
 constexpr int most_columns = 64, most_rows = 48;  // of pixels in a lesson
 constexpr Rgba8 lit = sky, lit_now = yellow, east_color = orange, south_east_color = purple,
                 south_color = green, point_color = vermilion;
-constexpr int mirrored_level = 90, computed_level = 255;
+constexpr Rgba8 accepted_lit{110, 200, 160, 255};
+constexpr int mirrored_level = 90, discarded_level = 130, computed_level = 255;
 
 // ---------------------------------------------------------------------------------------------- words
 
@@ -418,7 +419,8 @@ LessonFrame ellipse_turn(const Subject& s, const raster::EllipseTurned& e, bool 
 void add_tip(const Subject& s, Story& story, int x) {
     if (x >= s.a) return;
     LessonFrame frame;
-    frame.title = fmt::format("the tip: row y = 0 goes on to x = {}", s.a);
+    frame.title = "the tip";
+    frame.equation = fmt::format("y = 0: x = {} to a = {}", x + 1, s.a);
     frame.caption = fmt::format(
         "Region 1 has come down to y = 0 at x = {}, before the tip. There is nothing left to decide: the "
         "row goes on to ({}, 0). The printed algorithm stops here and leaves the tip open.",
@@ -452,10 +454,9 @@ Lesson ellipse_midpoint_lesson(const Subject& s) {
         void on(const raster::EllipseStep& e) {
             LessonFrame frame = ellipse_step(s, story, e.region, e.x, e.y, e.d, e.choice);
             if (e.region == 1)
-                frame.caption += fmt::format(
-                    " From column x to the next the ellipse falls by {}: at most one pixel, so this is "
-                    "region 1.",
-                    decimals(fall(s, e.x)));
+                frame.caption +=
+                    fmt::format(" It falls by {} to the next column, by at most one pixel: region 1.",
+                                decimals(fall(s, e.x)));
             story.add(std::move(frame));
             x = e.choice == EllipseChoice::S ? e.x : e.x + 1;
             y = e.choice == EllipseChoice::E ? e.y : e.y - 1;
@@ -561,18 +562,19 @@ Lesson ellipse_textbook_lesson(const Subject& s) {
             for (const int sy : {1, -1})
                 frame.now.push_back(mark(Kind::Cross, point_color, {s.spot(sx * x, sy * y)}));
     }
-    frame.title = fmt::format("y = 0 at x = {}: the end", probe.x);
+    frame.title = "the end";
+    frame.equation =
+        fmt::format("y = 0 at x = {}{}", probe.x, probe.x < s.a ? fmt::format(", but a = {}", s.a) : "");
     if (missing == 0)
         frame.caption = "Here the printed algorithm lights the right pixels.";
     else if (probe.x < s.a)
         frame.caption = fmt::format(
-            "The loops end at y = 0, but the ellipse goes on to x = {}: {} of this quarter missing "
-            "(crosses). "
-            "The algorithm \"midpoint\" goes on along the row.",
-            s.a, missing == 1 ? "1 pixel is" : fmt::format("{} pixels are", missing));
+            "The loops end at y = 0, but the ellipse goes on to x = {}: {} of each quarter (crosses). The "
+            "algorithm \"midpoint\" goes on along the row.",
+            s.a, missing == 1 ? "1 pixel is missing" : fmt::format("{} pixels are missing", missing));
     else
-        frame.caption = fmt::format("{} of this quarter not the nearest: the crosses are.",
-                                    missing == 1 ? "1 pixel is" : fmt::format("{} pixels are", missing));
+        frame.caption = fmt::format("In each quarter {} should be lit (crosses): the nearest to the ellipse.",
+                                    counted(missing, "other pixel"));
     if (missing > 0) story.explain(Kind::Cross, point_color, "should be lit");
     story.add(std::move(frame));
     return story.told();
@@ -586,11 +588,13 @@ Rgba8 color_of(CirclePart::Fate fate) {
 }
 
 std::string part_name(const CirclePart& part, bool round) {
-    if (part.part == CirclePart::Whole) return round ? "the whole circle" : "the whole ellipse";
+    if (part.part == CirclePart::Whole) return round ? "whole circle" : "whole ellipse";
     const std::string quadrant =
         fmt::format("{} {}", part.sign_y > 0 ? "lower" : "upper", part.sign_x > 0 ? "right" : "left");
-    if (part.part == CirclePart::Quadrant) return fmt::format("the {} quadrant", quadrant);
-    return fmt::format("the {} octant of the {} quadrant", part.swapped ? "side" : "middle", quadrant);
+    if (part.part == CirclePart::Quadrant) return quadrant + " quadrant";
+    const char* down = part.sign_y > 0 ? "bottom" : "top";
+    const char* across = part.sign_x > 0 ? "right" : "left";
+    return fmt::format("{}, {} octant", quadrant, part.swapped ? across : down);
 }
 
 Lesson clip_lesson(const Subject& s, const scene::LoadedScene& loaded) {
@@ -609,14 +613,22 @@ Lesson clip_lesson(const Subject& s, const scene::LoadedScene& loaded) {
                           cut(std::ceil(clip.low.y), 0, loaded.height),
                           cut(std::floor(clip.high.x), -1, loaded.width - 1),
                           cut(std::floor(clip.high.y), -1, loaded.height - 1)};
-    story.lesson().columns = {"part", "sign x", "sign y", "answer", "pixels"};
+    story.lesson().columns = {"part", "answer", "pixels"};
     story.explain(Kind::Box, color_of(CirclePart::Accepted), "accepted: all inside");
     story.explain(Kind::Box, color_of(CirclePart::Rejected), "rejected: all outside");
     story.explain(Kind::Box, color_of(CirclePart::Cut), "cut: looked at closer");
-    story.explain(Kind::Cell, lit, "lit");
+    story.explain(Kind::Cell, lit_now, "lit now");
+    story.explain(Kind::Cell, accepted_lit, "lit without a test");
+    story.explain(Kind::Cell, lit, "lit where the walk comes in");
+    story.explain(Kind::Cell, mixed(paper, haze, discarded_level), "not drawn");
     story.explain(Kind::Outline, navy, "the window");
     const double x0 = clip.low.x, y0 = clip.low.y, x1 = clip.high.x, y1 = clip.high.y;
     story.lesson().ground.push_back(mark(Kind::Outline, navy, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}));
+
+    raster::ellipse_midpoint(s.center, s.a, s.b, s.view, [&](int x, int y) {
+        if (!window.holds(x, y))
+            story.lesson().ground.push_back(cell(spot_of({x, y}), haze, discarded_level));
+    });
 
     struct Recorder {
         std::vector<std::pair<CirclePart, std::vector<Pixel>>> parts;
@@ -648,25 +660,19 @@ Lesson clip_lesson(const Subject& s, const scene::LoadedScene& loaded) {
             frame.caption = "The border crosses its box, but no pixel of the curve is inside.";
         else
             frame.caption = fmt::format(
-                "The border crosses its box: the {} inside are found by bisection, and the walk begins there "
-                "with the d that it would have had.",
+                "The border crosses its box. Where the curve comes in is found by bisection: {} from there "
+                "on, with "
+                "the d that the walk would have had.",
                 counted(std::int64_t(pixels.size()), "pixel"));
         Mark box = mark(Kind::Box, color,
                         {{double(part.low_x) - 0.5, double(part.low_y) - 0.5},
                          {double(part.high_x) + 0.5, double(part.high_y) + 0.5}});
         frame.now.push_back(box);
         for (const Pixel& p : pixels) {
-            story.light(frame, p);
+            story.light(frame, p, computed_level, part.fate == CirclePart::Accepted ? accepted_lit : lit);
             frame.now.insert(frame.now.begin(), cell(spot_of(p), lit_now));
         }
-        frame.row = {frame.title,
-                     part.sign_x > 0   ? "+"
-                     : part.sign_x < 0 ? "-"
-                                       : "",
-                     part.sign_y > 0   ? "+"
-                     : part.sign_y < 0 ? "-"
-                                       : "",
-                     answer, fmt::to_string(pixels.size())};
+        frame.row = {frame.title, answer, fmt::to_string(pixels.size())};
         story.add(std::move(frame));
     }
     return story.told();
