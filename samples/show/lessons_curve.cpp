@@ -162,7 +162,12 @@ class Story {
             frame.now.insert(frame.now.begin(), cell(spot_of({cx + x, cy - y}), lit_now));
     }
 
+    // Moments of which nothing can be seen are told in a number only.
     void add(LessonFrame frame) {
+        if (is_out_of_view(frame)) {
+            ++out_of_view_;
+            return;
+        }
         if (lesson_.frames.size() + 2 < most_frames) return lesson_.frames.push_back(std::move(frame));
         if (last_) {
             std::move(last_->stays.begin(), last_->stays.end(), std::back_inserter(rest_));
@@ -172,6 +177,10 @@ class Story {
     }
 
     Lesson told() {
+        if (out_of_view_ > 0)
+            lesson_.sentence +=
+                fmt::format(" {} outside of what is shown {} left out.", counted(out_of_view_, "moment"),
+                            out_of_view_ == 1 ? "is" : "are");
         if (left_out_ > 0)
             lesson_.frames.push_back(
                 {fmt::format("{} more", counted(left_out_, "moment")),
@@ -187,12 +196,22 @@ class Story {
     }
 
   private:
+    bool is_out_of_view(const LessonFrame& frame) const {
+        const auto visible = [&](const Mark& m) {
+            return std::ranges::any_of(m.points, [&](Spot p) {
+                return p.x > subject_.view.x0 - 1 && p.x < subject_.view.x1 + 1 &&
+                       p.y > subject_.view.y0 - 1 && p.y < subject_.view.y1 + 1;
+            });
+        };
+        return frame.stays.empty() && !frame.now.empty() && std::ranges::none_of(frame.now, visible);
+    }
+
     const Subject& subject_;
     Lesson lesson_;
     std::set<std::pair<int, int>> lit_;
     std::optional<LessonFrame> last_;
     std::vector<Mark> rest_;
-    std::int64_t left_out_ = 0;
+    std::int64_t left_out_ = 0, out_of_view_ = 0;
 };
 
 void explain_walk(const Subject& s, Story& story) {
@@ -494,7 +513,8 @@ Lesson ellipse_second_order_lesson(const Subject& s) {
             frame.caption += fmt::format(
                 " Then{}{}{}.", with_x ? fmt::format(" the x part grows by 2b² = {}", 2LL * s.b * s.b) : "",
                 with_x && with_y ? "," : "",
-                with_y ? fmt::format(" the y part by 2a² = {}", 2LL * s.a * s.a) : "");
+                with_y ? fmt::format(" the y part {}by 2a² = {}", with_x ? "" : "grows ", 2LL * s.a * s.a)
+                       : "");
             frame.row.push_back(fmt::to_string(e.along_x));
             frame.row.push_back(fmt::to_string(e.along_y));
             story.add(std::move(frame));
@@ -700,15 +720,18 @@ Lesson disc_lesson(const Subject& s) {
             fmt::format("half width {}: x = {} to {}", half, decimals(s.axes.x_of(s.center.x + x0)),
                         decimals(s.axes.x_of(s.center.x + half)));
         const int distance = std::abs(y);
-        frame.caption =
-            fmt::format("{} above or below the centre the outline reaches {} to either side: {} are filled.",
-                        counted(distance, "row"), counted(half, "pixel"), counted(x1 - x0, "pixel"));
+        frame.caption = fmt::format("{} the outline reaches {} to either side: {} are filled.",
+                                    distance == 0 ? "Through the centre"
+                                                  : fmt::format("{} {} the centre", counted(distance, "row"),
+                                                                y < 0 ? "above" : "below"),
+                                    counted(half, "pixel"), counted(x1 - x0, "pixel"));
         for (int x = x0; x < x1; ++x) {
             const Pixel p{s.center.x + x, row};
             if (!s.view.holds(p.x, p.y)) continue;
             story.light(frame, p);
             frame.now.push_back(cell(spot_of(p), lit_now));
         }
+        if (frame.now.empty()) return;
         frame.row = {decimals(s.axes.y_of(row)), decimals(s.axes.x_of(s.center.x + x0)),
                      decimals(s.axes.x_of(s.center.x + half)), fmt::to_string(x1 - x0)};
         story.add(std::move(frame));
