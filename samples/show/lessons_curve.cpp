@@ -504,12 +504,12 @@ Lesson ellipse_second_order_lesson(const Subject& s) {
         void on(const raster::EllipseSecondOrderStep& e) {
             LessonFrame frame = ellipse_step(s, story, e.region, e.x, e.y, e.d, e.choice);
             const bool with_x = e.choice != EllipseChoice::S, with_y = e.choice != EllipseChoice::E;
-            frame.equation = fmt::format(
-                "{}, d += {}", decision(e.d, word_of(e.choice)),
-                !with_y ? fmt::to_string(e.along_x)
-                : !with_x
-                    ? fmt::to_string(e.along_y)
-                    : fmt::format("{} {} = {}", e.along_x, signed_term(e.along_y), e.along_x + e.along_y));
+            std::string parts = fmt::format("x part = {}", e.along_x);
+            if (!with_x) parts = fmt::format("y part = {}", e.along_y);
+            if (with_x && with_y)
+                parts = fmt::format("x part + y part = {} {} = {}", e.along_x, signed_term(e.along_y),
+                                    e.along_x + e.along_y);
+            frame.equation = fmt::format("{}, d += {}", decision(e.d, word_of(e.choice)), parts);
             frame.caption += fmt::format(
                 " Then{}{}{}.", with_x ? fmt::format(" the x part grows by 2b² = {}", 2LL * s.b * s.b) : "",
                 with_x && with_y ? "," : "",
