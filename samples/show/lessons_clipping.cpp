@@ -318,9 +318,6 @@ Lesson cohen_sutherland_lesson(const Subject& s, const Segment& whole) {
 
 // ------------------------------------------------------------------------------ parametric clipping
 
-std::string interval(double t_in, double t_out) {
-    return fmt::format("[{}, {}]", number(t_in), number(t_out));
-}
 const char* passage_name(Passage passage) {
     switch (passage) {
         case Passage::Entering:
@@ -401,11 +398,14 @@ class ParametricLesson {
              {}});
     }
 
-    void step(const ParameterStep& e, std::string equation, std::string more, std::vector<Mark> marks) {
+    void step(const ParameterStep& e, std::string equation, const std::string& more,
+              std::vector<Mark> marks) {
         LessonFrame frame;
         frame.title = e.side + ": " + passage_name(e.passage);
         frame.equation = std::move(equation);
-        frame.caption = passage_caption(e, t_in_, t_out_) + std::move(more);
+        frame.caption = passage_caption(e, t_in_, t_out_);
+        if (!e.empty) frame.caption += fmt::format(" Left: t in [{}, {}].", number(e.t_in), number(e.t_out));
+        frame.caption += more;
         frame.now = std::move(marks);
         frame.now.push_back(side_line(purple, e.line, lesson.view));
         if (!e.empty) frame.now.push_back(segment_between(left_over, e.t_in, e.t_out));
