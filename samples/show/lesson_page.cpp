@@ -157,6 +157,11 @@ constexpr std::string_view script = R"(
 })();
 )";
 
+// "03 Midpoint line": several lessons may have the same title.
+std::string numbered_title(const Lesson& lesson) {
+    return lesson.name.substr(0, lesson.name.find('-')) + " " + lesson.title;
+}
+
 std::string frame_id(const Lesson& lesson, std::size_t frame) {
     return fmt::format("{}-{}", lesson.name, frame + 1);
 }
@@ -175,7 +180,7 @@ std::string thumbnail(const LessonRecord& r) {
         "<li><a href=\"#{0}\"><img src=\"{1}\" width=\"{2}\" height=\"{3}\" alt=\"\" loading=\"lazy\">{4}"
         "</a></li>\n",
         lesson.name, lesson_frame_file(lesson, lesson.frames.size() - 1), r.frame_width, r.frame_height,
-        escaped(lesson.title));
+        escaped(numbered_title(lesson)));
 }
 
 std::string figure(const LessonRecord& r, std::size_t i) {
@@ -214,7 +219,7 @@ std::string table(const Lesson& lesson) {
 std::string turn(std::span<const LessonRecord> records, std::size_t i) {
     const auto link = [&](std::size_t k, std::string_view before, std::string_view after) {
         return fmt::format("<a href=\"#{1}\">{0}{2}{3}</a>", before, records[k].lesson->name,
-                           escaped(records[k].lesson->title), after);
+                           escaped(numbered_title(*records[k].lesson)), after);
     };
     return "<p class=\"turn\">" + (i > 0 ? link(i - 1, "← ", "") : std::string("<span></span>")) +
            (i + 1 < records.size() ? link(i + 1, "", " →")
@@ -227,7 +232,7 @@ std::string section(std::span<const LessonRecord> records, std::size_t i) {
     const Lesson& lesson = *r.lesson;
     const std::size_t count = lesson.frames.size();
     std::string out = fmt::format("<section id=\"{0}\" class=\"lesson\">\n<h2>{1}</h2>\n<p>{2}</p>\n",
-                                  lesson.name, escaped(lesson.title), escaped(lesson.sentence));
+                                  lesson.name, escaped(numbered_title(lesson)), escaped(lesson.sentence));
     if (!lesson.source.empty()) out += "<p class=\"soft\">Source: " + escaped(lesson.source) + "</p>\n";
     out += fmt::format(
         "<div class=\"player\">\n<button type=\"button\" aria-label=\"First frame\">|&lt;</button>\n"

@@ -155,7 +155,7 @@ void draw_mark(Canvas canvas, const LessonGrid& grid, const Mark& mark) {
             draw_path(canvas, std::span(at).first(2), stroke, false);
             break;
         case Kind::Dashes:
-            line(canvas, at[0], at[1], border_of(stroke));
+            line(canvas, at[0], at[1], {border_of(stroke).color, border_of(stroke).width, 7});
             line(canvas, at[0], at[1], {mark.color, width, 7});
             break;
         case Kind::Arrow:
@@ -293,23 +293,25 @@ Layer marks_of(const Lesson& lesson, std::size_t frame_number) {
     return out;
 }
 
-// Pixels lie beneath the lines between them, these beneath the shapes, shapes beneath points and words: no
-// pixel hides the true shape.
-int layer_of(Kind kind) {
+// Pixels lie beneath the lines between them, these beneath helper lines (the dashes of the ground), then
+// shapes, points and words: no pixel hides the true shape, no helper line the window.
+int layer_of(Kind kind, bool of_ground) {
     switch (kind) {
         case Kind::Cell:
             return 0;
         case Kind::Area:
             return 1;
+        case Kind::Dashes:
+            return of_ground ? 2 : 3;
         case Kind::Frame:
-            return 3;
+            return 4;
         case Kind::Dot:
         case Kind::Cross:
-            return 4;
-        case Kind::Text:
             return 5;
+        case Kind::Text:
+            return 6;
         default:
-            return 2;
+            return 3;
     }
 }
 
@@ -319,15 +321,16 @@ void draw_grid(Canvas canvas, const LessonGrid& grid, const Lesson& lesson, cons
     const Canvas inner = within(canvas, grid.area);
     fill(inner, grid.area, paper);
     const auto draw_layer = [&](int layer) {
-        for (const Mark* mark : marks)
-            if (layer_of(mark->kind) == layer) draw_mark(inner, grid, *mark);
+        for (std::size_t i = 0; i < marks.size(); ++i)
+            if (layer_of(marks[i]->kind, i < lesson.ground.size()) == layer)
+                draw_mark(inner, grid, *marks[i]);
     };
     draw_layer(0);
     draw_layer(1);
     if (lesson.grid && grid.cell >= least_cell_of_lines)
         pixel_grid(canvas, {grid.area.x, grid.area.y, grid.area.width, grid.area.height}, grid.cell,
                    mixed(paper, muted, 95));
-    for (const int layer : {2, 3, 4}) draw_layer(layer);
+    for (const int layer : {2, 3, 4, 5}) draw_layer(layer);
     std::vector<Rect> taken;
     for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark)  // the newest words have the first choice
         if ((*mark)->kind == Kind::Text) draw_words(inner, grid, **mark, taken);
@@ -569,8 +572,9 @@ LessonPage draw_lesson_frame(const Lesson& lesson, const scene::LessonAxes& axes
         const int height = plan.equation_lines * large_row + 2 * padding - 8;
         fill(canvas, {page_margin, y, inner, height}, mist);
         fill(canvas, {page_margin, y, 6, height}, blue);
-        draw_lines(canvas, page_margin + padding + 4, y + padding,
-                   broken(now.equation, columns_in(text_room - 2 * padding, large)), ink, large, large_row);
+        const Lines lines = broken(now.equation, columns_in(text_room - 2 * padding, large));
+        const int spare = (plan.equation_lines - static_cast<int>(lines.size())) * large_row;
+        draw_lines(canvas, page_margin + padding + 4, y + padding + spare / 2, lines, ink, large, large_row);
         y += height + gap;
     }
     draw_lines(canvas, page_margin, y, broken(now.caption, columns_in(text_room, small)), ink, small,
