@@ -94,6 +94,10 @@ struct CurveShape {
     }
 };
 
+inline std::int64_t in_65536ths(double area) {  // >= 0
+    return static_cast<std::int64_t>(full_coverage * area + 0.5);
+}
+
 // One row of a shape. Where the row holds the horizontal axis it has two strips.
 struct CurveSlice {
     bool touched = false, two = false;
@@ -106,7 +110,7 @@ struct CurveSlice {
         CurveSlice slice;
         if (v1 <= -shape.b || v0 >= shape.b) return slice;
         slice.touched = true;
-        const double top = std::max(v0, -shape.b), bottom = std::min(v1, shape.b);
+        const double top = v0 > -shape.b ? v0 : -shape.b, bottom = v1 < shape.b ? v1 : shape.b;
         const double width_top = width_before;
         const double width_bottom = width_before = shape.half_width(bottom);
         if (bottom <= 0) {
@@ -123,13 +127,13 @@ struct CurveSlice {
         return slice;
     }
     double area() const { return two ? first.area + second.area : first.area; }
-    // S(u), in 1/65536 pixel.
+    // One strip, and the centre's pixel lies inside of it: the left and the right edge keep apart.
+    bool is_plain() const { return !two && narrowest >= 1; }
+    // S(u) for u >= 0, in 1/65536 pixel.
     std::int64_t sum(const CurveShape& shape, double u) const {
-        const double distance = std::abs(u);
-        double area = shape.area_before(first, distance);
-        if (two) area += shape.area_before(second, distance);
-        const auto fixed = static_cast<std::int64_t>(full_coverage * area + 0.5);
-        return u < 0 ? -fixed : fixed;
+        double area = shape.area_before(first, u);
+        if (two) area += shape.area_before(second, u);
+        return in_65536ths(area);
     }
 };
 
@@ -138,10 +142,10 @@ inline int floor_between(double x, int low, int high) {
     if (!(x > low)) return low;
     if (!(x < high)) return high;
     const int i = static_cast<int>(x);
-    return i > x ? i - 1 : i;
+    return i - (i > x);
 }
 
-// The pixels of a row that hold edges (one by one), and those between (many alike).
+// The pixels of a row where the edges are (one by one), and those between (many alike).
 struct CurvePieces {
     struct Piece {
         int x0, x1;
@@ -149,12 +153,65 @@ struct CurvePieces {
     } piece[6];
     int count = 0;
     void edge(int x0, int x1) { piece[count++] = {x0, x1, false}; }
-    void run(int x0, int x1) { piece[count++] = {x0, x1, true}; }
+    void run(int x0, int x1) {
+        if (x0 <= x1) piece[count++] = {x0, x1, true};
+    }
+    // Two edges, and what is between.
+    void edges(int x0, int x1, int x2, int x3) {
+        if (x1 + 1 >= x2) return edge(x0, x3);
+        edge(x0, x1), run(x1 + 1, x2 - 1), edge(x2, x3);
+    }
 };
 
-// The rows of an outer shape without an inner one (`inner` = nullptr: without a hole).
-template <class Cover, class Probe>
-void cover_curve(glm::dvec2 center, const CurveShape& outer, const CurveShape* inner,
+// Calls cover(x, coverage) for the pixels of one edge of a plain row, from the outside in: pixel `x` holds
+// the outermost point, `step` leads to the centre. Returns the first pixel that is covered all.
+template <class Cover>
+int cover_edge(double center, const CurveShape& shape, const CurveStrip& strip, int x, int step,
+               Cover&& cover) {
+    const double height = strip.far - strip.near, half = 0.5 * step;
+    std::int64_t before = in_65536ths(strip.area);
+    for (;; x += step) {
+        const double u = step * (center - (x + half));  // from the centre to the inner side of the pixel
+        const bool last = u <= strip.narrowest;
+        const std::int64_t after = in_65536ths(last ? u * height : shape.area_at_arc(strip, u));
+        cover(x, static_cast<int>(before - after));
+        if (last) return x + step;
+        before = after;
+    }
+}
+
+// The same for a ring: `inner` is the strip of the hole. Returns the first pixel that is all hole.
+template <class Cover, class Run>
+int cover_edge(double center, const CurveShape& outer_shape, const CurveStrip& outer,
+               const CurveShape& inner_shape, const CurveStrip& inner, int x, int step, Cover&& cover,
+               Run&& run) {
+    const double height = outer.far - outer.near, half = 0.5 * step;
+    const std::int64_t hole = in_65536ths(inner.area);
+    std::int64_t before = in_65536ths(outer.area) - hole;
+    for (;; x += step) {
+        const double u = step * (center - (x + half));
+        if (u <= inner.narrowest) {
+            cover(x, static_cast<int>(before));
+            return x + step;
+        }
+        const bool straight = u <= outer.narrowest, whole = u >= inner.widest;
+        const std::int64_t after = in_65536ths(straight ? u * height : outer_shape.area_at_arc(outer, u)) -
+                                   (whole ? hole : in_65536ths(inner_shape.area_at_arc(inner, u)));
+        cover(x, static_cast<int>(before - after));
+        before = after;
+        const int full = straight && whole ? static_cast<int>(u - inner.widest) : 0;
+        if (full > 0) {
+            run(x + step, x + step * full);
+            x += step * full;
+            const double v = step * (center - (x + half));
+            before = in_65536ths(v * height) - hole;
+        }
+    }
+}
+
+// The rows of a shape, with a hole or without.
+template <bool has_hole, class Cover, class Probe>
+void cover_curve(glm::dvec2 center, const CurveShape& outer, const CurveShape& inner,
                  const PixelBox& whole_box, Cover&& cover, Probe& probe) {
     constexpr int end = 2147483645;  // the neighbours of the box are numbers, too
     const PixelBox box{std::max(whole_box.x0, -end), std::max(whole_box.y0, -end),
@@ -163,66 +220,75 @@ void cover_curve(glm::dvec2 center, const CurveShape& outer, const CurveShape* i
     const int last_row = floor_between(center.y + outer.b + 0.5, box.y0, box.y1);
     const double first_edge = first_row - 0.5 - center.y;
     double outer_width = outer.half_width(std::clamp(first_edge, -outer.b, outer.b)), inner_width = 0;
-    if (inner) inner_width = inner->half_width(std::clamp(first_edge, -inner->b, inner->b));
+    if (has_hole) inner_width = inner.half_width(std::clamp(first_edge, -inner.b, inner.b));
 
     for (int y = first_row; y <= last_row; ++y) {
         const double v0 = y - 0.5 - center.y, v1 = y + 0.5 - center.y;
         const CurveSlice out = CurveSlice::of(outer, v0, v1, outer_width);
         if (!out.touched) continue;
         CurveSlice in;
-        if (inner) in = CurveSlice::of(*inner, v0, v1, inner_width);
+        if (has_hole) in = CurveSlice::of(inner, v0, v1, inner_width);
         note<CurveRow>(probe, y, false, out.widest, out.narrowest, out.area());
         if (in.touched) note<CurveRow>(probe, y, true, in.widest, in.narrowest, in.area());
 
         const auto pixel = [&](double u) {
             return floor_between(u + center.x + 0.5, box.x0 - 1, box.x1 + 1);
         };
-        // The pixels that hold the edges, left to right.
-        CurvePieces pieces;
-        const int left0 = pixel(-out.widest), left1 = pixel(-out.narrowest);
-        const int right0 = pixel(out.narrowest), right1 = pixel(out.widest);
-        if (!in.touched) {
-            if (left1 + 1 >= right0) {
-                pieces.edge(left0, right1);
-            } else {
-                pieces.edge(left0, left1), pieces.run(left1 + 1, right0 - 1), pieces.edge(right0, right1);
+        const auto one = [&](int x, int coverage) {
+            if (coverage > 0) cover(y, x, x + 1, coverage < full_coverage ? coverage : full_coverage);
+        };
+        const auto run = [&](int x0, int x1) {
+            x0 = std::max(x0, box.x0), x1 = std::min(x1, box.x1);
+            if (x0 <= x1) cover(y, x0, x1 + 1, full_coverage);
+        };
+        const int left0 = pixel(-out.widest), right1 = pixel(out.widest);
+
+        // Most rows: all in the box, left and right edge apart.
+        if (left0 >= box.x0 && right1 <= box.x1 && out.is_plain()) {
+            if (!in.touched) {
+                const int x0 = cover_edge(center.x, outer, out.first, left0, 1, one);
+                const int x1 = cover_edge(center.x, outer, out.first, right1, -1, one);
+                run(x0, x1);
+                continue;
             }
+            if (has_hole && in.is_plain()) {
+                const auto either = [&](int x0, int x1) { run(std::min(x0, x1), std::max(x0, x1)); };
+                cover_edge(center.x, outer, out.first, inner, in.first, left0, 1, one, either);
+                cover_edge(center.x, outer, out.first, inner, in.first, right1, -1, one, either);
+                continue;
+            }
+        }
+        // The others: first which pixels hold an edge.
+        CurvePieces pieces;
+        const int left1 = pixel(-out.narrowest), right0 = pixel(out.narrowest);
+        if (!in.touched) {
+            pieces.edges(left0, left1, right0, right1);
         } else {
-            const int hole_left0 = pixel(-in.widest), hole_left1 = pixel(-in.narrowest);
-            const int hole_right0 = pixel(in.narrowest), hole_right1 = pixel(in.widest);
+            const int hole_left1 = pixel(-in.narrowest), hole_right0 = pixel(in.narrowest);
             if (hole_left1 + 1 >= hole_right0) {
                 pieces.edge(left0, right1);
             } else {
-                if (left1 + 1 >= hole_left0) {
-                    pieces.edge(left0, hole_left1);
-                } else {
-                    pieces.edge(left0, left1), pieces.run(left1 + 1, hole_left0 - 1);
-                    pieces.edge(hole_left0, hole_left1);
-                }
-                if (hole_right1 + 1 >= right0) {
-                    pieces.edge(hole_right0, right1);
-                } else {
-                    pieces.edge(hole_right0, hole_right1), pieces.run(hole_right1 + 1, right0 - 1);
-                    pieces.edge(right0, right1);
-                }
+                pieces.edges(left0, left1, pixel(-in.widest), hole_left1);
+                pieces.edges(hole_right0, pixel(in.widest), right0, right1);
             }
         }
         const auto sum = [&](double u) {
-            const std::int64_t s = out.sum(outer, u);
-            return in.touched ? s - in.sum(*inner, u) : s;
+            const double distance = std::abs(u);
+            std::int64_t s = out.sum(outer, distance);
+            if (in.touched) s -= in.sum(inner, distance);
+            return u < 0 ? -s : s;
         };
         for (int i = 0; i < pieces.count; ++i) {
             const int x0 = std::max(pieces.piece[i].x0, box.x0), x1 = std::min(pieces.piece[i].x1, box.x1);
-            if (x0 > x1) continue;
             if (pieces.piece[i].run) {
-                cover(y, x0, x1 + 1, full_coverage);
+                run(x0, x1);
                 continue;
             }
+            if (x0 > x1) continue;
             std::int64_t before = sum(x0 - 0.5 - center.x);
             for (int x = x0; x <= x1; ++x) {
                 const std::int64_t after = sum(x + 0.5 - center.x);
-                const int part = static_cast<int>(std::min<std::int64_t>(after - before, full_coverage));
-                if (part > 0) cover(y, x, x + 1, part);
+                one(x, static_cast<int>(after - before));
                 before = after;
             }
         }
@@ -236,14 +302,14 @@ inline bool can_cover(glm::dvec2 center, double a, double b) {
 }
 
 // Calls cover(y, x0, x1, coverage) for the pixels in the box that the disc covers, rows from top to bottom,
-// pixels x0 <= x < x1 from left to right, coverage 1..65536. A radius of 0 or less covers nothing. Returns
+// pixels x0 <= x < x1, coverage 1..65536. A radius of 0 or less covers nothing. Returns
 // false, and draws nothing, when the numbers are not finite or above 2^30.
 template <class Cover, class Probe = NoProbe>
 bool disc_coverage(glm::dvec2 center, double a, double b, const PixelBox& box, Cover&& cover,
                    Probe&& probe = NoProbe{}) {
     if (!can_cover(center, a, b)) return false;
     if (a > smallest_curve && b > smallest_curve && !box.empty())
-        cover_curve(center, {a, b}, nullptr, box, cover, probe);
+        cover_curve<false>(center, {a, b}, {a, b}, box, cover, probe);
     return true;
 }
 
@@ -259,9 +325,9 @@ bool ring_coverage(glm::dvec2 center, double a, double b, double width, const Pi
     const CurveShape outer{a + half, b + half};
     if (a - half > smallest_curve && b - half > smallest_curve) {
         const CurveShape inner{a - half, b - half};
-        cover_curve(center, outer, &inner, box, cover, probe);
+        cover_curve<true>(center, outer, inner, box, cover, probe);
     } else {
-        cover_curve(center, outer, nullptr, box, cover, probe);
+        cover_curve<false>(center, outer, outer, box, cover, probe);
     }
     return true;
 }
