@@ -83,6 +83,17 @@ TEST(Composite, ARunIsItsPixels) {
                 }
 }
 
+TEST(Composite, LongRunsEndWhereTheyShould) {
+    const Rgba8 beneath{10, 20, 30, 255}, color{250, 130, 7, 255};
+    for (int x0 = 0; x0 < 5; ++x0)
+        for (int x1 = x0; x1 < 80; ++x1) {
+            std::vector<Rgba8> row(81, beneath);
+            over(row.data(), x0, x1, color, full_coverage);
+            for (int x = 0; x < 81; ++x)
+                ASSERT_EQ(row[static_cast<std::size_t>(x)], x0 <= x && x < x1 ? color : beneath);
+        }
+}
+
 // The exact area of two halves: 1 - 1/2 1/2 (multisample.hpp).
 TEST(Composite, TwoHalvesAreThreeQuarters) {
     const Rgba8 black{0, 0, 0, 255};
