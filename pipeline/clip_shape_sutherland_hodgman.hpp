@@ -131,7 +131,7 @@ class RingBuilder {
         if (corners_.size() < 3) return ring;
         const auto later = [](const Corner& a, const Corner& b) { return a.edge > b.edge; };
         const auto last = std::ranges::adjacent_find(corners_, later);
-        if (last != corners_.end()) std::ranges::rotate(corners_, last + 1);
+        if (last != corners_.end()) std::rotate(corners_.begin(), last + 1, corners_.end());
         for (const Corner& corner : corners_) {
             ring.points.push_back(corner.point);
             ring.edge_side.push_back(corner.edge_side);

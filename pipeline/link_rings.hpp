@@ -49,12 +49,13 @@ inline std::vector<std::vector<std::size_t>> link_rings(std::span<const RingPiec
             used[at] = 1;
             ring.push_back(at);
             std::size_t next = none;
-            const auto leaving = std::ranges::equal_range(order, pieces[at].to, {},
-                                                          [&](std::size_t i) { return pieces[i].from; });
-            for (const std::size_t i : leaving)
-                if ((i == start || !used[i]) &&
-                    (next == none || turns_sooner(pieces[at].arrives, pieces[i].leaves, pieces[next].leaves)))
-                    next = i;
+            const auto starts_at = [&](std::size_t i) { return pieces[i].from; };
+            auto leaving = std::ranges::lower_bound(order, pieces[at].to, {}, starts_at);
+            for (; leaving != order.end() && starts_at(*leaving) == pieces[at].to; ++leaving)
+                if ((*leaving == start || !used[*leaving]) &&
+                    (next == none ||
+                     turns_sooner(pieces[at].arrives, pieces[*leaving].leaves, pieces[next].leaves)))
+                    next = *leaving;
             at = next;
         } while (at != start && at != none);
         if (at == start) rings.push_back(std::move(ring));

@@ -31,8 +31,8 @@ using Points = std::vector<glm::vec2>;
 
 constexpr Rgba8 window_color = navy, uncut = haze, left_over = blue, visible = green, crossing = vermilion,
                 wasted = orange, dropped = rose;
-constexpr int widest_view = 256;
-constexpr std::size_t most_segments = 6;  // of a polyline
+constexpr int widest_view = 256, margin = 2;  // pixels
+constexpr std::size_t most_segments = 6;      // of a polyline
 
 // The events of a run in their order.
 template <class... Events>
@@ -147,8 +147,8 @@ raster::PixelBox view_of(const Subject& s, std::span<const glm::vec2> shape) {
             low = glm::min(low, glm::dvec2(p)), high = glm::max(high, glm::dvec2(p));
     const auto first = [](double v) { return static_cast<int>(std::floor(std::max(v, 0.0))); };
     const auto last = [](double v, int size) { return static_cast<int>(std::ceil(std::min(v, size - 1.0))); };
-    raster::PixelBox view{first(low.x - 1), first(low.y - 1), last(high.x + 1, s.loaded.width),
-                          last(high.y + 1, s.loaded.height)};
+    raster::PixelBox view{first(low.x - margin), first(low.y - margin), last(high.x + margin, s.loaded.width),
+                          last(high.y + margin, s.loaded.height)};
     if (view.empty()) view = {0, 0, s.loaded.width - 1, s.loaded.height - 1};
     view.x1 = std::min(view.x1, view.x0 + widest_view - 1);
     view.y1 = std::min(view.y1, view.y0 + widest_view - 1);
@@ -182,7 +182,7 @@ Mark side_line(Rgba8 color, const ClipLine& line, const raster::PixelBox& view) 
 
 void add_regions(Lesson& lesson, const Subject& s) {
     for (const Side side : s.clip.order)
-        lesson.ground.push_back(side_line(rule, line_of(s.box, side), lesson.view));
+        lesson.ground.insert(lesson.ground.begin(), side_line(rule, line_of(s.box, side), lesson.view));
     const auto middles = [](double view0, double low, double high, double view1) {
         return std::array{std::pair{(view0 + low) / 2, low - view0}, std::pair{(low + high) / 2, high - low},
                           std::pair{(high + view1) / 2, view1 - high}};
@@ -218,6 +218,7 @@ Lesson cohen_sutherland_lesson(const Subject& s, const Segment& whole) {
     lesson.legend.push_back({Kind::Segment, left_over, "what is left"});
     lesson.legend.push_back({Kind::Dot, crossing, "crossing"});
     lesson.legend.push_back({Kind::Cross, wasted, "wasted: still outside"});
+    lesson.legend.push_back({Kind::Cross, muted, "off the segment: never computed"});
 
     Heard<OutcodesCompared, SideCrossed, ClipRefused> heard;
     SideOrder order;
@@ -235,6 +236,7 @@ Lesson cohen_sutherland_lesson(const Subject& s, const Segment& whole) {
          {segment(left_over, whole.a, whole.b), dot(left_over, whole.a), dot(left_over, whole.b)},
          {}});
     int round = 0, crossings = 0, wasted_count = 0;
+    Segment now = whole;
     for (const auto& event : heard.events) {
         LessonFrame frame;
         if (const auto* refused = std::get_if<ClipRefused>(&event)) {
@@ -243,6 +245,7 @@ Lesson cohen_sutherland_lesson(const Subject& s, const Segment& whole) {
         }
         if (const auto* e = std::get_if<OutcodesCompared>(&event)) {
             ++round;
+            now = e->now;
             const Outcode both = e->a & e->b, any = e->a | e->b;
             frame.title = fmt::format("round {}: compare the codes", round);
             const char* decision = e->accepted() ? "accept" : e->rejected() ? "reject" : "cut";
@@ -290,7 +293,8 @@ Lesson cohen_sutherland_lesson(const Subject& s, const Segment& whole) {
                 c->wasted() ? fmt::format("Its code is {} now: still outside, so this crossing was wasted.",
                                           bits(c->after))
                             : "It lies on the window now.";
-            frame.now = {segment(dropped, c->from, c->to), dot(dropped, c->from)};
+            frame.now = {segment(dropped, c->from, c->to), dot(dropped, c->from),
+                         segment(left_over, c->to, c->moves_a ? now.b : now.a)};
             frame.stays = {
                 mark(c->wasted() ? Kind::Cross : Kind::Dot, c->wasted() ? wasted : crossing, {spot(c->to)})};
             // What fig. 4.3 warns of: a side without a bit is crossed by the line, but not by the segment.
@@ -302,7 +306,7 @@ Lesson cohen_sutherland_lesson(const Subject& s, const Segment& whole) {
                 const double t =
                     (double{s.box.at(side)} - whole.a[axis]) / (double{whole.b[axis]} - whole.a[axis]);
                 const glm::dvec2 p = glm::dvec2(whole.a) + t * (glm::dvec2(whole.b) - glm::dvec2(whole.a));
-                frame.now.push_back(mark(Kind::Cross, wasted, {{p.x, p.y}}));
+                frame.now.push_back(mark(Kind::Cross, muted, {{p.x, p.y}}));
             }
             if (crossings == 1 && !unset.empty())
                 frame.caption += fmt::format(
@@ -404,12 +408,13 @@ class ParametricLesson {
         frame.title = e.side + ": " + passage_name(e.passage);
         frame.equation = std::move(equation);
         frame.caption = passage_caption(e, t_in_, t_out_);
-        if (!e.empty) frame.caption += fmt::format(" Left: t in [{}, {}].", number(e.t_in), number(e.t_out));
+        if (!e.empty)
+            frame.caption += fmt::format(" What remains: t from {} to {}.", number(e.t_in), number(e.t_out));
         frame.caption += more;
-        frame.now = std::move(marks);
-        frame.now.push_back(side_line(purple, e.line, lesson.view));
+        frame.now = {side_line(purple, e.line, lesson.view)};
+        std::ranges::move(marks, std::back_inserter(frame.now));
         if (!e.empty) frame.now.push_back(segment_between(left_over, e.t_in, e.t_out));
-        if (std::isfinite(e.t)) {
+        if (sees(e.t)) {
             const bool entering = e.passage == Passage::Entering;
             const Rgba8 color = entering ? visible : crossing;
             frame.stays.push_back(mark(Kind::Dot, color, {at(e.t)}));
@@ -452,6 +457,11 @@ class ParametricLesson {
     Spot at(double t) const {
         return {whole_.a.x + t * (double{whole_.b.x} - whole_.a.x),
                 whole_.a.y + t * (double{whole_.b.y} - whole_.a.y)};
+    }
+    bool sees(double t) const {  // not of a parallel side
+        const Spot p = at(t);
+        return p.x >= lesson.view.x0 && p.x <= lesson.view.x1 && p.y >= lesson.view.y0 &&
+               p.y <= lesson.view.y1;
     }
     Mark segment_between(Rgba8 color, double t0, double t1) const {
         return mark(Kind::Segment, color, {at(t0), at(t1)});
@@ -551,12 +561,14 @@ Lesson midpoint_lesson(const Subject& s, const Segment& whole) {
     Lesson lesson = lesson_of(s, ends, false);
     lesson.name = "clip-midpoint";
     lesson.title = "Line clipping by midpoint subdivision";
-    lesson.sentence = "Halve, throw away what is outside, halve again: additions and shifts, no division.";
+    lesson.sentence =
+        "Halve, throw away what is outside, halve again: additions and shifts do for a division.";
     lesson.source = "Sproull and Sutherland 1968; codes as in the textbook's figure 4.2";
     lesson.columns = {"halving", "search", "from", "middle", "to", "codes", "goes on with"};
     add_regions(lesson, s);
     lesson.legend.push_back({Kind::Segment, left_over, "searched"});
-    lesson.legend.push_back({Kind::Segment, dropped, "left behind"});
+    lesson.legend.push_back({Kind::Segment, dropped, "dropped"});
+    lesson.legend.push_back({Kind::Segment, visible, "visible"});
     Heard<SegmentHalved, ClipRefused> heard;
     const auto result = clip_line_midpoint(whole, s.box, heard);
     lesson.frames.push_back(
@@ -567,7 +579,7 @@ Lesson midpoint_lesson(const Subject& s, const Segment& whole) {
          {segment(left_over, whole.a, whole.b), dot(left_over, whole.a), dot(left_over, whole.b)},
          {}});
     const auto too_small = [](const SegmentHalved& e) {
-        return std::abs(double{e.from.x} - e.to.x) + std::abs(double{e.from.y} - e.to.y) < 1.0 / 16;
+        return std::abs(double{e.from.x} - e.to.x) + std::abs(double{e.from.y} - e.to.y) < 1.0 / 4;
     };
     int number_of = 0, unseen = 0;
     const auto summarize = [&] {
@@ -618,10 +630,14 @@ Lesson midpoint_lesson(const Subject& s, const Segment& whole) {
         } else
             frame.caption = "The midpoint is outside, so the end lies between it and the visible point.";
         const bool both = e.middle_code == 0 && e.search == MidpointSearch::Visible;
-        frame.now = {segment(both || e.keeps_first ? left_over : dropped, e.from, e.middle),
-                     segment(both || !e.keeps_first ? left_over : dropped, e.middle, e.to),
+        const Rgba8 other = e.middle_code == 0 ? visible : dropped;
+        frame.now = {segment(both || e.keeps_first ? left_over : other, e.from, e.middle),
+                     segment(both || !e.keeps_first ? left_over : other, e.middle, e.to),
                      dot(e.middle_code == 0 ? visible : crossing, e.middle),
                      label(spot(e.middle), ink, bits(e.middle_code))};
+        if (!both && e.middle_code == 0)  // both ends of the other half are visible
+            frame.stays = {e.search == MidpointSearch::LastVisible ? segment(visible, e.from, e.middle)
+                                                                   : segment(visible, e.middle, e.to)};
         frame.row = {std::to_string(number_of),
                      search,
                      s.words.place(e.from),
@@ -642,7 +658,7 @@ Lesson midpoint_lesson(const Subject& s, const Segment& whole) {
                       {}};
     if (result) {
         frame.equation = fmt::format("from {} to {}", s.words.place(result->a), s.words.place(result->b));
-        frame.caption = fmt::format("{} and no division found both ends.", counted(number_of, "halving"));
+        frame.caption = fmt::format("{} found both ends to the last bit.", counted(number_of, "halving"));
         frame.now = {segment(visible, result->a, result->b), dot(visible, result->a),
                      dot(visible, result->b)};
     }
@@ -800,7 +816,7 @@ Lesson passes_lesson(const Subject& s, const Points& polygon) {
                 "outside nothing.",
                 side);
             if (points != usual) frame.caption += " A corner on the side itself needs no crossing.";
-            frame.now.push_back(side_line(purple, done->line, lesson.view));
+            frame.now.insert(frame.now.begin(), side_line(purple, done->line, lesson.view));
             std::ranges::move(std::exchange(frame.stays, {}), std::back_inserter(frame.now));
             frame.row = {side};
             for (const EdgeKind kind : all_kinds) frame.row.push_back(std::to_string(count[kind]));
@@ -954,11 +970,10 @@ Lesson greiner_hormann_lesson(const Subject& s, const Points& polygon) {
         LessonFrame frame;
         frame.title = fmt::format("ring {}: along the {}", first.ring + 1, which);
         frame.equation = s.words.place(path.front()) + " -> " + s.words.place(path.back());
-        frame.caption =
-            first.along_window
-                ? "Along the window, inside of the polygon, until the polygon enters again: " +
-                      places(s, path) + "."
-                : "Along the polygon, inside of the window, until it leaves: " + places(s, path) + ".";
+        frame.caption = first.along_window
+                            ? "Along the window, inside of the polygon, until the polygon enters again."
+                            : "Along the polygon, inside of the window, until it leaves.";
+        if (path.size() > 2) frame.caption += " By way of " + places(s, std::span(path).subspan(1)) + ".";
         frame.stays = {mark(Kind::Path, color, spots(path))};
         frame.now = {mark(Kind::Arrow, color, {spot(path[path.size() - 2]), spot(path.back())})};
         frame.row = {std::to_string(first.ring + 1), which, s.words.place(path.front()),

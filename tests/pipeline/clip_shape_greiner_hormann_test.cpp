@@ -157,7 +157,7 @@ TEST(GreinerHormann, AgreesWithSutherlandHodgmanWithoutBridges) {
     const ClipBox box{{4, -12}, {13, 12}};
     const auto least_first = [](Rings rings) {
         for (Points& ring : rings) {
-            std::ranges::rotate(ring, std::ranges::min_element(ring, comes_before));
+            std::rotate(ring.begin(), std::ranges::min_element(ring, comes_before), ring.end());
         }
         std::ranges::sort(rings, [](const Points& a, const Points& b) {
             return std::ranges::lexicographical_compare(a, b, comes_before);

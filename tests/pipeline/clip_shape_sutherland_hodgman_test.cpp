@@ -45,7 +45,7 @@ TEST(SutherlandHodgman, FourKindsOfEdges) {
 
 TEST(SutherlandHodgman, PointsOnTheWindowAreNotDoubled) {
     const Points diamond{{5, 0}, {10, 5}, {5, 10}, {0, 5}}, same{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
-    const auto rotated = [](Points p) { return std::ranges::rotate(p, p.begin() + 1), p; };
+    const auto rotated = [](Points p) { return std::rotate(p.begin(), p.begin() + 1, p.end()), p; };
     EXPECT_EQ(clip_shape_sutherland_hodgman(diamond, box).size(), 4u);
     EXPECT_EQ(clip_shape_sutherland_hodgman(same, box).size(), 4u);
     EXPECT_EQ(clip_shape_sutherland_hodgman(rotated(same), box).size(), 4u);
