@@ -77,6 +77,11 @@ inline constexpr AccuracyRow accuracy_rows[] = {
     {"line, gupta-sproull, rms", "exact cone over the rectangle", "width 0.5 to 4", 0.001, "of full coverage",
      0},
     {"cone table", "exact volume", "any distance", 3e-6, "of the cone", 17},
+    // circles and ellipses, instructions a pixel of the edge
+    {"disc, area", "exact area", "radii 0.05 to 60", 2.5e-5, "of full coverage", 93},
+    {"disc, area, rms", "exact area", "radii 0.05 to 60", 1e-5, "of full coverage", 0},
+    {"ring, area", "exact area", "radii 0.05 to 60, width 0.25 to 8", 4e-5, "of full coverage", 119},
+    {"ring, area, rms", "exact area", "radii 0.05 to 60, width 0.25 to 8", 1.2e-5, "of full coverage", 0},
 };
 
 inline std::span<const AccuracyRow> accuracy_table() { return accuracy_rows; }

@@ -13,6 +13,7 @@
 #include "pipeline/normalize.hpp"
 #include "pipeline/viewport.hpp"
 #include "raster/cone_table.hpp"
+#include "raster/curve_coverage.hpp"
 #include "raster/depth.hpp"
 #include "raster/interpolate.hpp"
 #include "raster/line_dda.hpp"
@@ -180,6 +181,31 @@ void lines(const Inputs& in) {
     });
 }
 
+// Draws once for all calls: its edges touch about as many pixels as there are calls.
+template <class Draw>
+void count_edge_pixels(const char* row, Draw draw) {
+    static std::array<int, 128 * 128> picture;
+    count(row, [&](int i) {
+        if (i == 0)
+            draw([](int y, int x0, int, int coverage) {
+                picture[static_cast<std::size_t>(128 * y + x0)] = coverage;
+            });
+        return i;
+    });
+    keep(picture);
+}
+
+void curves() {
+    const raster::PixelBox box{0, 0, 127, 127};
+    const glm::dvec2 center{64.3, 63.8};
+    count_edge_pixels("disc, area", [&](auto cover) {
+        for (const double r : {10.3, 20.1, 25.4, 30.2, 40.5}) raster::disc_coverage(center, r, r, box, cover);
+    });
+    count_edge_pixels("ring, area", [&](auto cover) {
+        for (const double r : {10.3, 20.1, 40.5}) raster::ring_coverage(center, r, r, 1, box, cover);
+    });
+}
+
 // A pixel of each shading, with one point light; of the row that names the setting.
 void shading(const Inputs& in) {
     const pipeline::EyeLight light{false, {1, 2, 3}, {1, 1, 1}};
@@ -225,4 +251,5 @@ int main(int arguments, char** words) {
     texture_and_output(in);
     shading(in);
     lines(in);
+    curves();
 }
