@@ -45,7 +45,8 @@ void add_steps(CLI::App& app, int& status) {
         ->type_name("DIR");
     command
         ->add_option("--stage", arguments->steps.stages,
-                     "Only this stage; may be repeated. relevo list stages names them.")
+                     "Only this stage, or this lesson of a scene of shapes; may be repeated. relevo list "
+                     "stages names the stages.")
         ->allow_extra_args(false)
         ->type_name("NAME");
     command->add_option("--size", arguments->size, "Picture size in place of the scene's, at most 2048x2048.")
