@@ -19,9 +19,9 @@ double arc_tangent(double x) {
 
 ConeTable make_table() {
     ConeTable table{};
-    constexpr int n = ConeTable::steps;
+    constexpr int n = ConeTable::reach * ConeTable::steps;
     for (int i = 0; i <= n; ++i) {
-        const double above = cone_half_plane(static_cast<double>(i) / n) - 0.5;
+        const double above = cone_half_plane(static_cast<double>(i) / ConeTable::steps) - 0.5;
         const auto part = static_cast<std::int32_t>(std::floor(above * 0x1p30 + 0.5));
         table.at[static_cast<std::size_t>(n + i)] = (1 << 29) + part;
         table.at[static_cast<std::size_t>(n - i)] = (1 << 29) - part;

@@ -18,15 +18,19 @@ namespace relevo::raster {
 // H(s), from the formula, to 1e-13. 0 below -1 and 1 above 1; not a number for one.
 double cone_half_plane(double s);
 
-// H at steps of 1/256 from -1 to 1, in 2^-30. Between the steps a straight line is within 3e-6 of the truth.
+// H at steps of 1/256, in 2^-30. Between the steps a straight line is within 3e-6 of the truth. The table
+// goes on to -reach and reach with 0 and 1, so that thin lines need not ask where the cone ends.
 struct ConeTable {
-    static constexpr int steps = 256;
-    std::array<std::int32_t, 2 * steps + 2> at;  // one more than needed: the right neighbour of the last
+    static constexpr int steps = 256, reach = 3;
+    static constexpr std::int64_t one = std::int64_t{1} << 32;
+    std::array<std::int32_t, 2 * reach * steps + 2> at;  // one more: the right neighbour of the last
 
     // H(s) in 2^-30, s in 2^-32.
-    std::int32_t operator()(std::int64_t s) const {
-        constexpr std::int64_t one = std::int64_t{1} << 32;
-        const std::int64_t place = (s < -one ? -one : s > one ? one : s) + one;
+    std::int32_t operator()(std::int64_t s) const { return within(s < -one ? -one : s > one ? one : s); }
+
+    // The same for -reach <= s <= reach.
+    std::int32_t within(std::int64_t s) const {
+        const std::int64_t place = s + reach * one;
         const auto i = static_cast<std::size_t>(place >> 24);
         const std::int64_t part = place & 0xffffff;
         return at[i] + static_cast<std::int32_t>((std::int64_t{at[i + 1] - at[i]} * part) >> 24);

@@ -53,6 +53,9 @@ struct GuptaSproullPixel {
 
 namespace line_gupta_sproull_detail {
 
+// The ends of a line multiply two weights; the middle of a thin one never looks beyond the table.
+enum class Part { End, Middle, ThinMiddle };
+
 // Distances and table values are in 2^-32 and 2^-30.
 struct Strip {
     LineTrack track;
@@ -61,7 +64,11 @@ struct Strip {
     Fixed reach;              // across, how far the line has light
     const ConeTable& table;
 
-    std::int32_t weight(std::int64_t t) const { return table(t + half) - table(t - half); }
+    template <Part part>
+    std::int32_t weight(std::int64_t t) const {
+        if constexpr (part == Part::ThinMiddle) return table.within(t + half) - table.within(t - half);
+        return table(t + half) - table(t - half);
+    }
     // The factor of the ends: the same cone, seen along the line.
     std::int32_t end(std::int64_t column, std::int64_t row) const {
         const double s = (static_cast<double>(column) - track.from.x) * cosine +
@@ -71,8 +78,9 @@ struct Strip {
     }
 };
 
-template <bool steep, bool ends, class Cover, class Probe>
+template <bool steep, Part part, class Cover, class Probe>
 void columns(const Strip& strip, Columns range, const PixelBox& box, Cover& cover, Probe& probe) {
+    constexpr bool ends = part == Part::End;
     const std::int64_t least = steep ? box.x0 : box.y0, most = steep ? box.x1 : box.y1;
     Fixed position = strip.track.position(range.first);
     for (std::int64_t column = range.first; column <= range.last; ++column, position += strip.track.step) {
@@ -86,7 +94,8 @@ void columns(const Strip& strip, Columns range, const PixelBox& box, Cover& cove
                            high = std::min(pixel_of(position + strip.reach), most);
         std::int64_t t = nearest + (low - row) * strip.step;
         for (std::int64_t across = low; across <= high; ++across, t += strip.step) {
-            const std::int64_t weight = strip.weight(t), end = ends ? strip.end(column, across) : 1 << 30;
+            const std::int64_t weight = strip.template weight<part>(t),
+                               end = ends ? strip.end(column, across) : 1 << 30;
             const int coverage = static_cast<int>(((ends ? (weight * end) >> 30 : weight) + (1 << 13)) >> 14);
             if (coverage <= 0) continue;
             const int x = static_cast<int>(steep ? across : column),
@@ -117,9 +126,12 @@ void draw(const Strip& strip, const PixelBox& box, Cover& cover, Probe& probe) {
     if (all.empty()) return;
     const std::int64_t inner_first = std::clamp(up(from.x + margin), all.first, all.last + 1),
                        inner_last = std::clamp(down(to.x - margin), inner_first - 1, all.last);
-    columns<steep, true>(strip, {all.first, inner_first - 1}, box, cover, probe);
-    columns<steep, false>(strip, {inner_first, inner_last}, box, cover, probe);
-    columns<steep, true>(strip, {inner_last + 1, all.last}, box, cover, probe);
+    columns<steep, Part::End>(strip, {all.first, inner_first - 1}, box, cover, probe);
+    if (strip.half < ConeTable::one * 3 / 4)  // a weight looks up to 2 half + 1 and a rounding far
+        columns<steep, Part::ThinMiddle>(strip, {inner_first, inner_last}, box, cover, probe);
+    else
+        columns<steep, Part::Middle>(strip, {inner_first, inner_last}, box, cover, probe);
+    columns<steep, Part::End>(strip, {inner_last + 1, all.last}, box, cover, probe);
 }
 
 }  // namespace line_gupta_sproull_detail

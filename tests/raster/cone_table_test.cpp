@@ -71,6 +71,14 @@ TEST(ConeTable, TheTableIsWithinItsBound) {
     EXPECT_EQ(cone_table()(std::numeric_limits<std::int64_t>::min() / 2), 0);
 }
 
+TEST(ConeTable, GoesOnBeyondTheCone) {
+    const std::int64_t reach = ConeTable::reach * one;
+    for (std::int64_t s = -reach; s <= reach; s += 999'983)
+        ASSERT_EQ(cone_table().within(s), cone_table()(s)) << s;
+    EXPECT_EQ(cone_table().within(-reach), 0);
+    EXPECT_EQ(cone_table().within(reach), 1 << 30);
+}
+
 TEST(ConeTable, NeverFalls) {
     std::int32_t before = 0;
     for (std::int64_t s = -one; s <= one; s += 1 << 14) {
