@@ -493,8 +493,7 @@ std::string share(int coverage) { return decimals(coverage / double(full_coverag
 std::vector<Lesson> wu_lesson(const Subject& s) {
     Story story(
         s, "line-wu", "Wu's antialiased line",
-        "Two pixels a step share the light: the nearer the line, the brighter. Together they always have all "
-        "of it.",
+        "Two pixels a step share the light: the nearer the line, the brighter. Together they have all of it.",
         "Wu 1991, An efficient antialiasing technique");
     Lesson& lesson = story.lesson();
     lesson.columns = {"x", "y", "first", "second", "together"};
