@@ -101,9 +101,10 @@ std::optional<Subject> subject_of(const scene::LoadedScene& loaded, std::size_t 
             top = std::min(top, p.y), bottom = std::max(bottom, p.y);
         }
     const auto whole = [](double v) { return static_cast<int>(std::floor(v + 0.5)); };
-    const PixelBox seen{std::max(whole(left) - 1, 0), std::max(whole(top) - 1, 0),
-                        std::min(whole(right) + 1, loaded.width - 1),
-                        std::min(whole(bottom) + 1, loaded.height - 1)};
+    const int margin = shape.antialiasing == Antialiasing::Weighted ? 2 : 1;  // the cones of the border
+    const PixelBox seen{std::max(whole(left) - margin, 0), std::max(whole(top) - margin, 0),
+                        std::min(whole(right) + margin, loaded.width - 1),
+                        std::min(whole(bottom) + margin, loaded.height - 1)};
     if (seen.empty()) return {};
     s.view = seen;
     if (loaded.shapes.clip.on)
@@ -503,7 +504,8 @@ void each_point(Place at, int n, Visit&& visit) {
                   Spot{at.second - 0.5 + (i + 0.5) / n, at.first - 0.5 + (j + 0.5) / n});
 }
 
-int view_size(int n) { return n <= 2 ? 20 : n <= 4 ? 12 : n <= 8 ? 7 : 4; }
+// Pixels in a row, so that the points stand apart on a page.
+int view_size(int n) { return n <= 2 ? 12 : n <= 4 ? 7 : n <= 8 ? 4 : 2; }
 
 Lesson supersample_lesson(const Subject& s) {
     const int n = s.shape.samples;

@@ -18,10 +18,13 @@
 #include "raster/interpolate.hpp"
 #include "raster/line_dda.hpp"
 #include "raster/line_gupta_sproull.hpp"
+#include "raster/line_outline.hpp"
 #include "raster/line_wu.hpp"
 #include "raster/output.hpp"
 #include "raster/shading.hpp"
+#include "raster/supersample.hpp"
 #include "raster/texture.hpp"
+#include "raster/weighted_coverage.hpp"
 #include "samples/scene/accuracy.hpp"
 #include "tests/accuracy/measurement.hpp"
 
@@ -175,6 +178,27 @@ void lines(const Inputs& in) {
         raster::line_gupta_sproull({5, 5}, {105, 5 + y}, 1, box,
                                    [&](int py, int px, int, int c) { light(py, px, c); });
     });
+    const auto outline = [](int y) {
+        const auto corners = raster::line_outline({5, 5}, {105, 5 + y}, 1);
+        return std::vector<std::vector<glm::dvec2>>{{corners.begin(), corners.end()}};
+    };
+    count_steps("area coverage", [&](int y, auto light) {
+        const auto corners = raster::line_outline({5, 5}, {105, 5 + y}, 1);
+        raster::area_coverage(std::span<const glm::dvec2>(corners), box,
+                              [&](int py, int px, int, int c) { light(py, px, c); });
+    });
+    count_steps("weighted coverage", [&](int y, auto light) {
+        raster::weighted_coverage(outline(y), raster::InsideRule::NonZero, box,
+                                  [&](int py, int px, int, int c) { light(py, px, c); });
+    });
+    const auto samples = [&](const char* row, int n) {
+        count_steps(row, [&](int y, auto light) {
+            raster::supersample(n, outline(y), raster::InsideRule::NonZero, box,
+                                [&](int py, int px, int, int c) { light(py, px, c); });
+        });
+    };
+    samples("1 x 1 samples", 1), samples("2 x 2 samples", 2), samples("4 x 4 samples", 4);
+    samples("8 x 8 samples", 8), samples("16 x 16 samples", 16);
     const raster::ConeTable& table = raster::cone_table();
     count("cone table", [&](int i) {
         return table(static_cast<std::int64_t>(in.unit[static_cast<std::size_t>(i)] * Scalar(0x1p32)));
