@@ -1,5 +1,5 @@
 // Lessons of circles and ellipses: the walk of the midpoint along an octant or a quarter, the parts that a
-// window cuts, and the rows of a filled one.
+// window cuts, the rows of a filled one, and exact areas.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "raster/circle_second_order.hpp"
+#include "raster/curve_coverage.hpp"
 #include "raster/disc.hpp"
 #include "raster/ellipse_second_order.hpp"
 #include "raster/ellipse_textbook.hpp"
@@ -76,12 +77,15 @@ Mark label(Spot at, Rgba8 color, std::string text) {
 
 // ------------------------------------------------------------------------------------- what is told
 
-// The shape in pixels, as draw_shapes.hpp takes it, and the pixels that are looked at.
+// The shape as draw_shapes.hpp takes it (in whole pixels, when it is not smooth), and the pixels that are
+// looked at.
 struct Subject {
     const Shape& shape;
     const scene::LessonAxes& axes;
     Pixel center;
     int a, b;
+    Spot true_center;  // of the curve that is approximated, and its radii
+    double true_a, true_b;
     PixelBox view;
     std::string left_out;  // what the view does not show
 
@@ -99,20 +103,31 @@ struct Subject {
     }
 };
 
+bool is_smooth(const Shape& shape) { return shape.antialiasing != raster::Antialiasing::None; }
+
 std::optional<Subject> subject_of(const scene::LoadedScene& loaded, std::size_t number) {
     const Shape& shape = loaded.shapes.shapes[number];
     const auto near = [](double c) { return std::abs(c) <= raster::largest_place; };
     if (shape.kind != ShapeKind::Circle && shape.kind != ShapeKind::Ellipse) return {};
-    if (shape.points.empty() || shape.antialiasing != raster::Antialiasing::None) return {};
+    if (shape.points.empty() || !(shape.width > 0 && near(shape.width))) return {};
     if (!near(shape.points[0].x) || !near(shape.points[0].y)) return {};
     if (!(shape.radius_x >= 0 && near(shape.radius_x) && shape.radius_y >= 0 && near(shape.radius_y)))
         return {};
     const auto whole = [](double c) { return static_cast<int>(std::floor(c + 0.5)); };
     const Pixel center{whole(shape.points[0].x), whole(shape.points[0].y)};
-    Subject s{shape, loaded.axes, center, whole(shape.radius_x), whole(shape.radius_y), {0, 0, 0, 0}, {}};
-    s.view = {std::max(center.x - s.a - 1, 0), std::max(center.y - s.b - 1, 0),
-              std::min(center.x + s.a + 1, loaded.width - 1),
-              std::min(center.y + s.b + 1, loaded.height - 1)};
+    Subject s{shape, loaded.axes, center, whole(shape.radius_x), whole(shape.radius_y),
+              {},    0,           0,      {0, 0, 0, 0},          {}};
+    s.true_center = spot_of(center), s.true_a = s.a, s.true_b = s.b;
+    if (is_smooth(shape)) {
+        s.true_center = {shape.points[0].x, shape.points[0].y};
+        s.true_a = shape.radius_x, s.true_b = shape.radius_y;
+    }
+    const double edge = is_smooth(shape) ? 1 + (shape.filled ? 0 : shape.width / 2.0) : 1;
+    const auto low = [](double c) { return std::max(static_cast<int>(std::floor(c)), 0); };
+    const auto high = [](double c, int most) { return std::min(static_cast<int>(std::ceil(c)), most - 1); };
+    s.view = {low(s.true_center.x - s.true_a - edge), low(s.true_center.y - s.true_b - edge),
+              high(s.true_center.x + s.true_a + edge, loaded.width),
+              high(s.true_center.y + s.true_b + edge, loaded.height)};
     if (s.view.empty()) return {};
     const int columns = s.view.x1 - s.view.x0 + 1, rows = s.view.y1 - s.view.y0 + 1;
     if (columns > most_columns || rows > most_rows) {  // what lies to the right of the top and below it
@@ -134,8 +149,8 @@ class Story {
         lesson_.name = std::move(name), lesson_.title = std::move(title);
         lesson_.sentence = std::move(sentence) + subject.left_out, lesson_.source = std::move(source);
         lesson_.view = subject.view;
-        Mark curve = mark(Kind::Curve, ink, {spot_of(subject.center)});
-        curve.radius_x = subject.a, curve.radius_y = subject.b;
+        Mark curve = mark(Kind::Curve, ink, {subject.true_center});
+        curve.radius_x = subject.true_a, curve.radius_y = subject.true_b;
         lesson_.ground.push_back(std::move(curve));
         lesson_.legend.push_back({Kind::Curve, ink, subject.name("the true circle", "the true ellipse")});
     }
@@ -739,6 +754,110 @@ Lesson disc_lesson(const Subject& s) {
     return story.told();
 }
 
+// ------------------------------------------------------------------------------------------- smooth
+
+// A row of the exact areas: what its strips say, and the pixels that they cover.
+struct CoveredRow {
+    int y = 0;
+    std::vector<raster::CurveRow> strips;
+    std::vector<std::pair<int, int>> edge;  // x and coverage
+    std::int64_t whole = 0;                 // pixels covered all
+};
+
+Lesson coverage_lesson(const Subject& s) {
+    const bool filled = s.shape.filled;
+    const auto text = [&](const char* of_disc, const char* of_ring) { return filled ? of_disc : of_ring; };
+    Story story(
+        s, text("disc-coverage", "ring-coverage"), text("A smooth disc", "A smooth outline"),
+        filled ? "Every pixel gets the part of its square that the shape covers. Row by row: S(u) is the "
+                 "area up to the vertical at u, a pixel gets what S grows by across it."
+               : "The outline is the area between two curves, half its width outside and inside of the "
+                 "true one. Every pixel gets the part of its square that lies between them.",
+        "Unweighted area sampling: textbook section 8.1, Catmull 1978");
+    Lesson& lesson = story.lesson();
+    lesson.columns = {"row", "half width", "area", "edge pixels", "whole pixels"};
+    story.explain(Kind::Cell, lit, "covered, as dark as the part is large");
+    story.explain(Kind::Frame, point_color, "pixel with an edge, in this row");
+    if (!filled) story.explain(Kind::Curve, muted, "half the width outside and inside");
+    if (!filled)
+        for (const double side : {0.5, -0.5}) {
+            Mark curve = mark(Kind::Curve, muted, {s.true_center});
+            curve.radius_x = s.true_a + side * s.shape.width,
+            curve.radius_y = s.true_b + side * s.shape.width;
+            if (curve.radius_x > 0 && curve.radius_y > 0) lesson.ground.push_back(std::move(curve));
+        }
+
+    struct Recorder {
+        std::vector<CoveredRow> rows;
+        void on(const raster::CurveRow& e) {
+            if (!e.inner) rows.push_back({e.y, {}, {}, 0});
+            rows.back().strips.push_back(e);
+        }
+        void operator()(int, int x0, int x1, int coverage) {
+            if (coverage == raster::full_coverage) {
+                rows.back().whole += x1 - x0;
+                for (int x = x0; x < x1; ++x) full.push_back({x, rows.back().y});
+            } else {
+                rows.back().edge.push_back({x0, coverage});
+            }
+        }
+        std::vector<Pixel> full;
+    } heard;
+    const auto cover = [&](int y, int x0, int x1, int coverage) { heard(y, x0, x1, coverage); };
+    const glm::dvec2 center{s.true_center.x, s.true_center.y};
+    if (filled)
+        raster::disc_coverage(center, s.true_a, s.true_b, s.view, cover, heard);
+    else
+        raster::ring_coverage(center, s.true_a, s.true_b, s.shape.width, s.view, cover, heard);
+
+    double sum = 0;
+    std::size_t next_full = 0;
+    for (CoveredRow& row : heard.rows) {
+        LessonFrame frame;
+        const std::string y = decimals(s.axes.y_of(row.y));
+        double area = 0;
+        for (const raster::CurveRow& strip : row.strips) area += (strip.inner ? -2 : 2) * strip.area;
+        std::ranges::sort(row.edge);
+        for (; next_full < heard.full.size() && heard.full[next_full].y == row.y; ++next_full)
+            story.light(frame, heard.full[next_full]);
+        std::int64_t covered = row.whole * raster::full_coverage;
+        for (const auto& [x, coverage] : row.edge) {
+            covered += coverage;
+            story.light(frame, {x, row.y}, (coverage * 255 + 32768) / raster::full_coverage);
+            frame.now.push_back(mark(Kind::Frame, point_color, {spot_of({x, row.y})}));
+        }
+        sum += double(covered) / raster::full_coverage;
+        const raster::CurveRow& outer = row.strips[0];
+        frame.title = fmt::format("row y = {}", y);
+        frame.equation = fmt::format("area of the row = {}", decimals(area));
+        frame.caption = fmt::format(
+            "{} an edge, {} covered all.",
+            row.edge.size() == 1 ? "1 pixel holds" : fmt::format("{} pixels hold", row.edge.size()),
+            row.whole == 1 ? "1 is" : fmt::format("{} are", row.whole));
+        if (!row.edge.empty())
+            frame.caption += fmt::format(" Of the first, at x = {}, the part {} is covered.",
+                                         decimals(s.axes.x_of(row.edge[0].first)),
+                                         decimals(double(row.edge[0].second) / raster::full_coverage));
+        frame.row = {y, fmt::format("{} to {}", decimals(outer.narrowest), decimals(outer.widest)),
+                     decimals(area), fmt::to_string(row.edge.size()), fmt::to_string(row.whole)};
+        story.add(std::move(frame));
+    }
+    LessonFrame end;
+    end.title = "all rows";
+    end.equation = fmt::format("sum of all pixels = {}", decimals(sum));
+    const double pi = 3.141592653589793, half = s.shape.width / 2.0;
+    if (filled)
+        end.caption =
+            fmt::format("The area of the whole shape is pi a b = {}.", decimals(pi * s.true_a * s.true_b));
+    else if (s.true_a > half && s.true_b > half)
+        end.caption = fmt::format("The area between the two curves is pi w (a + b) = {}, w the width.",
+                                  decimals(2 * pi * half * (s.true_a + s.true_b)));
+    else
+        end.caption = "The outline is wider than the shape: it leaves no hole.";
+    story.add(std::move(end));
+    return story.told();
+}
+
 Lesson outline_lesson(const Subject& s) {
     const ScanAlgorithm algorithm = s.shape.algorithm;
     if (!s.round() && algorithm == ScanAlgorithm::Textbook) return ellipse_textbook_lesson(s);
@@ -753,10 +872,13 @@ std::vector<Lesson> curve_lessons(const scene::LoadedScene& loaded, std::size_t 
     const std::optional<Subject> subject = subject_of(loaded, shape);
     if (!subject) return {};
     const raster::ShapeClip& clip = loaded.shapes.clip;
-    const bool filled = subject->shape.filled;
+    const bool filled = subject->shape.filled, smooth = is_smooth(subject->shape);
     std::vector<Lesson> lessons;
-    if (clip.on && clip.polygon.empty() && !filled) lessons.push_back(clip_lesson(*subject, loaded));
-    lessons.push_back(filled ? disc_lesson(*subject) : outline_lesson(*subject));
+    if (clip.on && clip.polygon.empty() && !filled && !smooth)
+        lessons.push_back(clip_lesson(*subject, loaded));
+    lessons.push_back(smooth   ? coverage_lesson(*subject)
+                      : filled ? disc_lesson(*subject)
+                               : outline_lesson(*subject));
     if (clip.on) lessons.back().sentence += " The window of the scene is not looked at here.";
     return lessons;
 }

@@ -1,5 +1,7 @@
+#include <map>
 #include <set>
 
+#include "raster/curve_coverage.hpp"
 #include "raster/disc.hpp"
 #include "raster/ellipse_textbook.hpp"
 #include "samples/show/lessons.hpp"
@@ -148,10 +150,32 @@ TEST(LessonsCurve, ADiscInRows) {
               }));
 }
 
+TEST(LessonsCurve, ASmoothOneIsAsDarkAsItsCoverage) {
+    for (const bool filled : {false, true}) {
+        const std::vector<Lesson> lessons =
+            lessons_of(std::string("type = \"circle\"\ncenter = [20.25, 15.5]\nradius = 7.5\n") +
+                       "antialiasing = \"area\"\nfilled = " + (filled ? "true\n" : "false\n"));
+        ASSERT_EQ(lessons.size(), 1u);
+        EXPECT_EQ(lessons[0].name, filled ? "disc-coverage" : "ring-coverage");
+        std::map<std::pair<int, int>, int> right, levels;
+        const auto cover = [&](int y, int x0, int x1, int coverage) {
+            for (int x = x0; x < x1; ++x) right[{x, y}] = (coverage * 255 + 32768) / raster::full_coverage;
+        };
+        if (filled)
+            raster::disc_coverage({20.25, 15.5}, 7.5, 7.5, picture, cover);
+        else
+            raster::ring_coverage({20.25, 15.5}, 7.5, 7.5, 1, picture, cover);
+        for (const LessonFrame& frame : lessons[0].frames)
+            for (const Mark& mark : frame.stays)
+                levels[{int(mark.points[0].x), int(mark.points[0].y)}] = mark.level;
+        EXPECT_EQ(levels, right);
+        EXPECT_EQ(lessons[0].frames.back().equation,
+                  filled ? "sum of all pixels = 176.715" : "sum of all pixels = 47.124");
+    }
+}
+
 TEST(LessonsCurve, OtherShapesHaveNone) {
     EXPECT_TRUE(lessons_of("type = \"line\"\npoints = [[1, 1], [5, 3]]\n").empty());
-    EXPECT_TRUE(
-        lessons_of("type = \"circle\"\ncenter = [5, 5]\nradius = 3\nantialiasing = \"area\"\n").empty());
 }
 
 }  // namespace
