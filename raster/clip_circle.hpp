@@ -101,6 +101,16 @@ constexpr CirclePart::Fate fate_of(const Range& x, const Range& y, const Range& 
     return box_x.holds(x) && box_y.holds(y) ? CirclePart::Accepted : CirclePart::Cut;
 }
 
+// `x` and `y` are what the part spans, seen from the centre in the direction of its signs.
+template <class Probe>
+constexpr void note_part(Probe& probe, Pixel center, CirclePart::Part part, int sx, int sy, bool swapped,
+                         CirclePart::Fate fate, const Range& x, const Range& y) {
+    const std::int64_t cx = center.x, cy = center.y;
+    note<CirclePart>(probe, part, sx, sy, swapped, fate, cx + (sx > 0 ? x.low : -x.high),
+                     cy + (sy > 0 ? y.low : -y.high), cx + (sx > 0 ? x.high : -x.low),
+                     cy + (sy > 0 ? y.high : -y.low));
+}
+
 // Calls quadrant(sign_x, sign_y, fate) for the quadrants of a circle or ellipse that touch the box, or
 // whole() when all of it lies inside. Columns x = 0 belong to the right side, rows y = 0 to the lower one.
 template <class Whole, class Quadrant, class Probe>
@@ -119,9 +129,7 @@ constexpr void clip_quadrants(Pixel center, int a, int b, const PixelBox& box, W
             if (x.empty() || y.empty()) continue;
             const CirclePart::Fate fate = fate_of(x, y, seen_from(center.x, sx, box.x0, box.x1),
                                                   seen_from(center.y, sy, box.y0, box.y1));
-            note<CirclePart>(probe, CirclePart::Quadrant, sx, sy, false, fate,
-                             cx + (sx > 0 ? x.low : -x.high), cy + (sy > 0 ? y.low : -y.high),
-                             cx + (sx > 0 ? x.high : -x.low), cy + (sy > 0 ? y.high : -y.low));
+            note_part(probe, center, CirclePart::Quadrant, sx, sy, false, fate, x, y);
             if (fate != CirclePart::Rejected) quadrant(sx, sy, fate);
         }
 }
@@ -166,9 +174,7 @@ constexpr bool clip_circle(Pixel center, int radius, const PixelBox& box, Plot&&
         const CirclePart::Fate fate =
             accepted_already ? CirclePart::Accepted : fate_of(columns, rows, across, down);
         const Range &x = swapped ? rows : columns, &y = swapped ? columns : rows;
-        note<CirclePart>(probe, CirclePart::Octant, sx, sy, swapped, fate, cx + (sx > 0 ? x.low : -x.high),
-                         cy + (sy > 0 ? y.low : -y.high), cx + (sx > 0 ? x.high : -x.low),
-                         cy + (sy > 0 ? y.high : -y.low));
+        note_part(probe, center, CirclePart::Octant, sx, sy, swapped, fate, x, y);
         if (fate == CirclePart::Rejected) return;
         const Range run =
             fate == CirclePart::Accepted ? columns : octant.inside(common(columns, across), down);
