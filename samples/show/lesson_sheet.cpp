@@ -118,7 +118,9 @@ bool pixel_at(Spot place, int& x, int& y) {
     return true;
 }
 
-double dot_radius(const LessonGrid& grid) { return std::clamp(grid.cell / 7.0, 4.0, 7.0); }
+double dot_radius(const LessonGrid& grid) {
+    return grid.cell < 10 ? 2.5 : std::clamp(grid.cell / 7.0, 4.0, 7.0);
+}
 
 // All but words. The canvas's clip rectangle is the grid.
 void draw_mark(Canvas canvas, const LessonGrid& grid, const Mark& mark) {
@@ -142,7 +144,7 @@ void draw_mark(Canvas canvas, const LessonGrid& grid, const Mark& mark) {
             }
             break;
         case Kind::Dot:
-            disc(canvas, at[0], radius + 2, paper);
+            disc(canvas, at[0], radius + std::min(2.0, radius / 2), paper);
             disc(canvas, at[0], radius, mark.color);
             break;
         case Kind::Cross:
