@@ -18,7 +18,9 @@
 // that is what a pen of width w draws. For an ellipse the pen's outline is no ellipse: ours is as wide as the
 // pen on the axes, and thinner between, at the thinnest by the factor 2 sqrt(a b) / (a + b): 0.94 for 2 : 1.
 //
-// Errors: 2^-15 of a pixel for each pixel (radii up to 2^20; 2^-12 up to 2^30), 2^-15 a row for the sum.
+// Errors: 2^-15 of a pixel for each pixel with radii up to 2^24, 2^-9 at 2^30; 2^-15 a row for the sum. Where
+// a row holds more than 45 degrees of the arc (ellipses a few pixels high) 2^-27 a b more for a pixel, and
+// 2^-22 a b for the sum: too little to be seen below a b = 2^12.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -302,8 +304,8 @@ inline bool can_cover(glm::dvec2 center, double a, double b) {
 }
 
 // Calls cover(y, x0, x1, coverage) for the pixels in the box that the disc covers, rows from top to bottom,
-// pixels x0 <= x < x1, coverage 1..65536. A radius of 0 or less covers nothing. Returns
-// false, and draws nothing, when the numbers are not finite or above 2^30.
+// pixels x0 <= x < x1, coverage 1..65536. A radius of 0 or less covers nothing. Returns false, and draws
+// nothing, when the numbers are not finite or above 2^30.
 template <class Cover, class Probe = NoProbe>
 bool disc_coverage(glm::dvec2 center, double a, double b, const PixelBox& box, Cover&& cover,
                    Probe&& probe = NoProbe{}) {

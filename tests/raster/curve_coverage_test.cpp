@@ -141,7 +141,7 @@ TEST(CurveCoverage, TinyAndHugeOnes) {
         ASSERT_TRUE(disc_coverage({0.25, -r}, r, r, {-30, -5, 30, 5}, covered));
         for (int x = -30; x <= 30; ++x) {
             EXPECT_EQ(covered(-1, x), 1);
-            EXPECT_NEAR(covered(0, x), 0.5, r > 0x1p20 ? 0x1p-12 : 0x1p-11);
+            EXPECT_NEAR(covered(0, x), 0.5, 0x1p-11);
             EXPECT_EQ(covered(1, x), 0);
         }
     }
@@ -150,6 +150,46 @@ TEST(CurveCoverage, TinyAndHugeOnes) {
     const int end = std::numeric_limits<int>::max();
     EXPECT_TRUE(ring_coverage({0x1p30, -0x1p30}, 2, 2, 1, {-end - 1, -end - 1, end, end}, far));
     EXPECT_NEAR(far.sum, double(4 * pi), 1e-3);
+}
+
+TEST(CurveCoverage, LargeOnesKeepTheirBounds) {
+    struct Case {
+        double a, b, bound;  // 2^-16 of a pixel
+    };
+    std::mt19937_64 bits(5);
+    const auto between = [&](double low, double high) {
+        return low + (high - low) * (double(bits() >> 11) * 0x1p-53);
+    };
+    for (const Case& k : {Case{4096, 4096, 2}, Case{0x1p20, 0x1p20, 2}, Case{0x1p20, 1024, 2},
+                          Case{3, 0x1p20, 2}, Case{0x1p24, 0x1p24, 2}, Case{0x1p30, 100, 2},
+                          Case{0x1p30, 0x1p30, 128}, Case{0x1p20, 0.4, 2 + 0x1p-27 * 0x1p20 * 0.9 * unit}})
+        for (const double width : {0.0, 1.0}) {
+            double worst = 0;
+            for (int i = 0; i < 200; ++i) {  // a few pixels somewhere on the edge, and near the tips
+                const double size = between(0.5, 1), a = k.a * size,
+                             b = k.a == k.b ? a : k.b * between(0.5, 1);
+                double t = between(-4, 4);
+                if (i % 4 == 0) t = double(pi) / 2 * double(i % 3) + between(0, 1e-2) * between(0, 1e-4);
+                const glm::dvec2 c{between(-1, 1), between(-1, 1)};
+                const int x0 = int(std::floor(c.x + a * std::cos(t))),
+                          y0 = int(std::floor(c.y + b * std::sin(t)));
+                const PixelBox box{x0 - 2, y0 - 2, x0 + 3, y0 + 3};
+                Covered covered;
+                const double half = width / 2;
+                if (width > 0)
+                    ring_coverage(c, a, b, width, box, covered);
+                else
+                    disc_coverage(c, a, b, box, covered);
+                ASSERT_EQ(covered.fault, "");
+                for (int y = box.y0; y <= box.y1; ++y)
+                    for (int x = box.x0; x <= box.x1; ++x) {
+                        Real area = exact_pixel(c, a + half, b + half, x, y);
+                        if (width > 0 && b > half) area -= exact_pixel(c, a - half, b - half, x, y);
+                        worst = std::max(worst, std::abs(covered(y, x) - double(area)));
+                    }
+            }
+            EXPECT_LT(worst * unit, k.bound) << k.a << ", " << k.b << ", width " << width;
+        }
 }
 
 TEST(CurveCoverage, WhatIsNoNumberOrTooLargeIsRefused) {
