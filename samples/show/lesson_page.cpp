@@ -56,7 +56,7 @@ tr.now > :first-child { box-shadow: inset .3rem 0 0 #181e25; font-weight: 700; }
   nav, .turn, .files, details, .js .player, .keys { display: none; }
 .js .keys { display: inline; }
   .js .strip { display: block; }
-  .strip img { max-height: 88vh; width: auto; }
+  .strip img { max-height: 74vh; width: auto; }
   section { break-before: page; border: 0; margin: 0; }
   .table { max-height: none; overflow: visible; }
 }
