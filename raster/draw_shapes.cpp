@@ -27,6 +27,8 @@ void mark_border(SnappedPoint a, SnappedPoint b, const PixelBox& box, Fill&& fil
 Image<std::uint8_t> window_mask(std::span<const glm::vec2> polygon, int width, int height) {
     Image<std::uint8_t> mask(width, height);
     const PixelBox box{0, 0, width - 1, height - 1};
+    const auto window = pipeline::convex_window(polygon);
+    if (!window && window.error() != pipeline::Refusal::NotConvex) return mask;
     SnappedRing ring;
     for (const glm::vec2& p : polygon) {
         if (!(std::abs(p.x) <= largest_place && std::abs(p.y) <= largest_place)) return mask;

@@ -58,7 +58,7 @@ using Ring = std::vector<glm::dvec2>;
 using SnappedRing = std::vector<SnappedPoint>;
 
 // The pixels whose centre lies in a polygon or on its border: 1, else 0. Non-zero rule; corners to 1/256
-// pixel. None when a corner is not finite or beyond largest_place.
+// pixel. None when a corner is not finite or beyond largest_place, or when there is no area.
 Image<std::uint8_t> window_mask(std::span<const glm::vec2> polygon, int width, int height);
 
 template <class Probe>
@@ -112,22 +112,41 @@ class ShapePass {
     void pixel_lines(const Shape& shape) {
         if (shape.kind == ShapeKind::Line)
             return pixel_line(shape, shape.points[0], shape.points[1], pixel_painter(shape));
+        const bool whole =
+            shape.algorithm != ScanAlgorithm::Wu && shape.algorithm != ScanAlgorithm::GuptaSproull;
         std::vector<CoveredPixel> pixels;
-        for (std::size_t i = 0; i + 1 < shape.points.size(); ++i)
+        std::size_t merge_at = 1 << 20;  // so that memory stays within the pixels of the picture
+        for (std::size_t i = 0; i + 1 < shape.points.size(); ++i) {
             pixel_line(shape, shape.points[i], shape.points[i + 1], [&](int y, int x0, int x1, int coverage) {
                 for (int x = x0; x < x1; ++x) pixels.push_back({y, x, coverage});
             });
-        std::sort(pixels.begin(), pixels.end());
-        const auto paint_pixel = pixel_painter(shape);
-        const bool whole =
-            shape.algorithm != ScanAlgorithm::Wu && shape.algorithm != ScanAlgorithm::GuptaSproull;
-        int coverage = 0;
-        for (std::size_t i = 0; i < pixels.size(); ++i) {
-            const auto [y, x, share] = pixels[i];
-            coverage = whole ? std::max(coverage, share) : std::min(coverage + share, full_coverage);
-            if (i + 1 < pixels.size() && pixels[i + 1].y == y && pixels[i + 1].x == x) continue;
-            paint_pixel(y, x, x + 1, std::exchange(coverage, 0));
+            if (pixels.size() < merge_at) continue;
+            merge(pixels, whole);
+            merge_at = std::max(merge_at, 2 * pixels.size());
         }
+        merge(pixels, whole);
+        const auto paint_pixel = pixel_painter(shape);
+        for (const CoveredPixel& p : pixels) paint_pixel(p.y, p.x, p.x + 1, p.coverage);
+    }
+
+    struct CoveredPixel {
+        int y, x, coverage;
+        friend auto operator<=>(const CoveredPixel&, const CoveredPixel&) = default;
+    };
+    // Each pixel once.
+    static void merge(std::vector<CoveredPixel>& pixels, bool whole) {
+        std::sort(pixels.begin(), pixels.end());
+        std::size_t kept = 0;
+        for (const CoveredPixel& p : pixels) {
+            if (kept == 0 || pixels[kept - 1].y != p.y || pixels[kept - 1].x != p.x) {
+                pixels[kept++] = p;
+                continue;
+            }
+            int& coverage = pixels[kept - 1].coverage;
+            coverage =
+                whole ? std::max(coverage, p.coverage) : std::min(coverage + p.coverage, full_coverage);
+        }
+        pixels.resize(kept);
     }
 
     template <class Cover>
@@ -370,21 +389,19 @@ class ShapePass {
         const bool curve = kind == ShapeKind::Circle || kind == ShapeKind::Ellipse;
         return curve ? 1 : kind == ShapeKind::Triangle || kind == ShapeKind::Polygon ? 3 : 2;
     }
+    // All places within reach, those of a wide line's corners, too.
     static bool is_drawable(const Shape& s) {
+        const float half = is_line(s) && !lights_pixels(s) ? s.width / 2 : 0;
         return s.points.size() >= least_points(s.kind) && s.width > 0 && is_near(s.width) &&
                s.radius_x >= 0 && s.radius_y >= 0 && is_near(s.radius_x) && is_near(s.radius_y) &&
-               std::all_of(s.points.begin(), s.points.end(),
-                           [](const glm::vec2& p) { return is_near(p.x) && is_near(p.y); });
+               std::all_of(s.points.begin(), s.points.end(), [&](const glm::vec2& p) {
+                   return is_near(std::abs(p.x) + half) && is_near(std::abs(p.y) + half);
+               });
     }
     static Pixel nearest_pixel(const glm::dvec2& p) {
         return {static_cast<std::int32_t>(std::floor(p.x + 0.5)),
                 static_cast<std::int32_t>(std::floor(p.y + 0.5))};
     }
-    struct CoveredPixel {
-        int y, x, coverage;
-        friend auto operator<=>(const CoveredPixel&, const CoveredPixel&) = default;
-    };
-
     const ShapeScene& scene_;
     Image<LinearRgb>& picture_;
     Probe& probe_;

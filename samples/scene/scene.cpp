@@ -44,17 +44,19 @@ std::vector<Value> list_of_tables(const Entry& entry, Diagnosis& diagnosis) {
 // A scene is made of objects or of shapes; the tables of the other kind have no place in it.
 void refuse_foreign_tables(const Table& document, const Tables& found, Diagnosis& diagnosis) {
     constexpr std::string_view of_objects[] = {"camera", "light"}, of_shapes[] = {"axes", "clip"};
-    const auto refuse = [&](const Entry& entry, std::span<const std::string_view> keys, std::string_view of,
-                            std::string_view here) {
-        if (std::find(keys.begin(), keys.end(), entry.key) != keys.end())
-            diagnosis.say(entry.place,
-                          fmt::format("{} is for {}, and this scene is made of {}", entry.key, of, here));
+    const auto holds = [](std::span<const std::string_view> keys, std::string_view key) {
+        return std::find(keys.begin(), keys.end(), key) != keys.end();
     };
+    const bool both = found.lesson() && !found.objects.empty();
     for (const Entry& entry : document) {
-        if (found.lesson() && entry.key == "object")
+        if (both && entry.key == "object")
             diagnosis.say(entry.place, "a scene is made of [[object]]s or of [[shape2d]]s, not of both");
-        if (found.lesson()) refuse(entry, of_objects, "[[object]]s", "[[shape2d]]s");
-        if (!found.objects.empty()) refuse(entry, of_shapes, "[[shape2d]]s", "[[object]]s");
+        if (!both && found.lesson() && holds(of_objects, entry.key))
+            diagnosis.say(entry.place,
+                          entry.key + " is for [[object]]s, and this scene is made of [[shape2d]]s");
+        if (!both && !found.objects.empty() && holds(of_shapes, entry.key))
+            diagnosis.say(entry.place,
+                          entry.key + " is for [[shape2d]]s, and this scene is made of [[object]]s");
     }
 }
 

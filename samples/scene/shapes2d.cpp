@@ -283,9 +283,15 @@ class ShapeReader {
     std::string whole_pixel_algorithm() const {
         if (shape_.antialiasing != Antialiasing::None) return "";
         if (shape_.filled) return "the filled form";
-        const bool thin_line = is_line(shape_.kind) && shape_.width == 1 && !smooths_itself(shape_.algorithm);
-        if (!is_curve(shape_.kind) && !thin_line) return "";
+        if (smooths_itself(shape_.algorithm)) return "";
+        if (!is_curve(shape_.kind) && !(is_line(shape_.kind) && lights_pixels())) return "";
         return fmt::format("algorithm = \"{}\"", name_of(shape_.algorithm, scan_algorithms));
+    }
+
+    // Of a line: it chooses or weights single pixels, and is no area.
+    bool lights_pixels() const {
+        return smooths_itself(shape_.algorithm) ||
+               (shape_.antialiasing == Antialiasing::None && shape_.width == 1);
     }
 
     void check_whole(const Value& value, const std::string& key, glm::dvec2 numbers) {
@@ -302,7 +308,18 @@ class ShapeReader {
         const Point at = places_.point(fields_, value, key);
         const LessonAxes& axes = places_.axes();
         check_whole(value, key, {axes.x_of(at.x), axes.y_of(at.y)});
+        check_reach(value, key, at);
         return at;
+    }
+
+    // A wide line is an area, whose corners must stay in reach, too.
+    void check_reach(const Value& value, const std::string& key, const Point& at) {
+        const float half = is_line(shape_.kind) && !lights_pixels() ? shape_.width / 2 : 0;
+        if (std::max(std::abs(at.x), std::abs(at.y)) + half > largest_place)
+            diagnosis_.say(value.place,
+                           fmt::format("{}: this line is {} wide, so its corners lie more than {} "
+                                       "pixels from the picture's first one",
+                                       fields_.full(key), shape_.width, largest_place));
     }
 
     void read_points() {

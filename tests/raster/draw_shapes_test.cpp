@@ -116,6 +116,16 @@ TEST(Lines, AreAreasWhenTheyAreSmoothOrWide) {
     EXPECT_TRUE(same_drawing(drawing(wide, 6, 3), {".###..", ".###..", ".###.."}));
 }
 
+TEST(Polylines, OfManyLinesNeedNoMoreThanThePicture) {
+    std::vector<glm::vec2> points;
+    for (int i = 0; i < 6000; ++i) points.push_back({i % 2 == 0 ? 0 : 499, i % 40});
+    Shape zigzag = shape_of(ShapeKind::Polyline, points);
+    zigzag.opacity = 0.5f;
+    const Image<LinearRgb> picture = drawn(ShapeScene{{zigzag}, {}, {}, {0, 0, 0}}, 500, 40);
+    for (const LinearRgb& c : picture.pixels()) EXPECT_TRUE(c.r == 0 || c.r == 0.5f);
+    EXPECT_EQ(picture.at(0, 0).r, 0.5f);
+}
+
 TEST(Polylines, PaintEachPixelOnce) {
     Shape corner = shape_of(ShapeKind::Polyline, {{0, 2}, {2, 2}, {2, 0}, {2, 2}});
     corner.opacity = 0.5f;
@@ -196,6 +206,130 @@ TEST(Areas, SmoothOnesAreTheCoveredPart) {
     EXPECT_TRUE(same_drawing(drawing(smooth(half), 4, 4), {"252.", "5#5.", "252.", "...."}));
 }
 
+// ------------------------------------------------------------------------------------------------- windows
+
+const std::vector<glm::vec2> fork{{1, 0}, {9, 0}, {9, 6}, {1, 6},
+                                  {1, 5}, {7, 5}, {7, 1}, {1, 1}};  // a bracket: ]
+
+TEST(Windows, CutAreasByEveryClipper) {
+    const Shape bracket = shape_of(ShapeKind::Polygon, fork, ScanAlgorithm::ActiveEdges);
+    const Drawing uncut = drawing(bracket, 11, 7);
+    for (const PolygonClipper clipper :
+         {PolygonClipper::SutherlandHodgman, PolygonClipper::SutherlandHodgmanPipeline,
+          PolygonClipper::GreinerHormann})
+        for (const bool split : {false, true}) {
+            ShapeClip clip = window(glm::vec2(3, 0), glm::vec2(6, 9));
+            clip.polygons = clipper, clip.split = split;
+            const Drawing cut = drawing(bracket, 11, 7, clip);
+            for (int y = 0; y < 7; ++y)  // the right side is open, as that of every area
+                for (int x = 0; x < 11; ++x)
+                    EXPECT_EQ(cut[y][x], 3 <= x && x < 6 ? uncut[y][x] : '.') << x << y;
+        }
+}
+
+TEST(Windows, OfAnyConvexFormCutAllAreasAndSmoothLines) {
+    const Shape box = shape_of(ShapeKind::Rectangle, {{0, 0}, {8, 8}}, ScanAlgorithm::Scanline);
+    const ShapeClip diamond = window({{4, 0}, {8, 4}, {4, 8}, {0, 4}});
+    const Drawing right =
+        drawing(shape_of(ShapeKind::Polygon, diamond.polygon, ScanAlgorithm::ActiveEdges), 9, 9);
+    EXPECT_TRUE(same_drawing(drawing(box, 9, 9, diamond), right));
+    EXPECT_TRUE(same_drawing(drawing(smooth(box), 9, 9, diamond),
+                             drawing(smooth(shape_of(ShapeKind::Polygon, diamond.polygon)), 9, 9)));
+    const Shape line = smooth(shape_of(ShapeKind::Line, {{-20, 4}, {20, 4}}));
+    EXPECT_EQ(drawing(line, 9, 9, diamond)[4], "2#######2");
+}
+
+TEST(Windows, WithADentAreForGreinerAndHormann) {
+    const std::vector<glm::vec2> arrow{{0, 0}, {8, 0}, {8, 8}, {4, 2}, {0, 8}};
+    const Shape all = shape_of(ShapeKind::Rectangle, {{-1, -1}, {20, 20}}, ScanAlgorithm::Scanline);
+    EXPECT_TRUE(same_drawing(drawing(all, 9, 9, window(arrow, PolygonClipper::GreinerHormann)),
+                             drawing(shape_of(ShapeKind::Polygon, arrow, ScanAlgorithm::ActiveEdges), 9, 9)));
+    EXPECT_TRUE(same_drawing(drawing(all, 2, 1, window(arrow)), {".."}));  // no window: nothing is left
+}
+
+TEST(Windows, ThatAreNoneLeaveNothing) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    for (const ShapeClip& clip :
+         {window(glm::vec2(3, 0), glm::vec2(2, 9)), window(glm::vec2(nan, 0), glm::vec2(2, 9)),
+          window(std::vector<glm::vec2>{{0, 0}, {nan, 0}, {0, 9}}),
+          window(std::vector<glm::vec2>{{0, 0}, {9, 9}})})
+        for (const Shape& shape :
+             {shape_of(ShapeKind::Line, {{0, 0}, {3, 3}}), shape_of(ShapeKind::Rectangle, {{0, 0}, {4, 4}}),
+              smooth(shape_of(ShapeKind::Rectangle, {{0, 0}, {4, 4}}))})
+            EXPECT_TRUE(same_drawing(drawing(shape, 4, 1, clip), {"...."}));
+    const Shape line = shape_of(ShapeKind::Line, {{0, 0}, {3, 0}});
+    EXPECT_TRUE(same_drawing(drawing(line, 4, 1, window(glm::vec2(-3e38f), glm::vec2(3e38f))), {"####"}));
+}
+
+// --------------------------------------------------------------------------------------------------- samples
+
+TEST(Samples, SharedOnesLeaveNoSeam) {
+    const auto pair = [](Antialiasing way) {
+        return ShapeScene{{smooth(shape_of(ShapeKind::Triangle, {{0, 0}, {4, 0}, {0, 4}}), way),
+                           smooth(shape_of(ShapeKind::Triangle, {{4, 0}, {4, 4}, {0, 4}}), way)},
+                          {},
+                          {},
+                          {0, 0, 0}};
+    };
+    const auto inner = [&](Antialiasing way) { return drawing(pair(way), 5, 5)[2].substr(1, 3); };
+    EXPECT_EQ(inner(Antialiasing::Area), "#7#");
+    EXPECT_EQ(inner(Antialiasing::Supersample).at(1), '7');
+    EXPECT_EQ(inner(Antialiasing::Multisample), "###");
+}
+
+TEST(Samples, AreSharedByNeighboursOfTheListOnly) {
+    Shape left = smooth(shape_of(ShapeKind::Rectangle, {{0, 0}, {1, 1}}), Antialiasing::Multisample),
+          right = left;
+    right.points = {{1, 0}, {2, 1}};
+    Shape between = shape_of(ShapeKind::Line, {{0, 5}, {1, 5}});
+    const auto middle = [](std::vector<Shape> shapes) {
+        return drawn(ShapeScene{std::move(shapes), {}, {}, {0, 0, 0}}, 3, 2).at(1, 0).r;
+    };
+    EXPECT_EQ(middle({left, right}), 0.5f);              // half a row high, and no seam
+    EXPECT_EQ(middle({left, between, right}), 0.4375f);  // a quarter, and a quarter of what is left
+    right.samples = 2;
+    EXPECT_EQ(middle({left, right}), 0.4375f);
+}
+
+// --------------------------------------------------------------------------------------------------
+// smoothing
+
+TEST(Smoothing, EveryWayKnowsFullAndEmptyPixels) {
+    for (const Antialiasing way :
+         {Antialiasing::Area, Antialiasing::Weighted, Antialiasing::Supersample, Antialiasing::Multisample}) {
+        const Drawing picture = drawing(smooth(shape_of(ShapeKind::Rectangle, {{2, 2}, {6, 6}}), way), 9, 9);
+        EXPECT_EQ(picture[4][4], '#') << int(way);
+        EXPECT_EQ(picture[4][8], '.') << int(way);
+        EXPECT_EQ(picture[0], ".........") << int(way);
+        EXPECT_NE(picture[4][2], '#') << int(way);
+        EXPECT_NE(picture[4][2], '.') << int(way);
+    }
+}
+
+TEST(Smoothing, DiscsAndRingsByArea) {
+    Shape disc_shape = smooth(shape_of(ShapeKind::Circle, {{3.5f, 3.5f}}));
+    disc_shape.radius_x = disc_shape.radius_y = 3;
+    disc_shape.filled = true;
+    const auto light = [](const Shape& shape) {
+        const Image<LinearRgb> picture = drawn(ShapeScene{{shape}, {}, {}, {0, 0, 0}}, 8, 8);
+        double sum = 0;
+        for (const LinearRgb& c : picture.pixels()) sum += c.r;
+        return sum;
+    };
+    EXPECT_NEAR(light(disc_shape), 28.274, 0.01);  // 9 pi
+    disc_shape.filled = false;
+    EXPECT_NEAR(light(disc_shape), 18.85, 0.01);  // (3.5^2 - 2.5^2) pi
+}
+
+TEST(Smoothing, ByAConeIsWiderThanTheLine) {
+    const Shape line = shape_of(ShapeKind::Line, {{-9, 2}, {9, 2}}, ScanAlgorithm::GuptaSproull);
+    const Drawing picture = drawing(line, 1, 5);
+    EXPECT_EQ(picture[0] + picture[4], "..");
+    EXPECT_NE(picture[1], ".");
+    EXPECT_EQ(picture[1], picture[3]);
+    EXPECT_GT(picture[2], picture[1]);
+}
+
 // -------------------------------------------------------------------------------------------------- the rest
 
 TEST(Machine, LaterShapesLieOnTop) {
@@ -242,6 +376,8 @@ TEST(Machine, LeavesOutWhatIsNotFiniteOrTooFar) {
         }
     EXPECT_TRUE(refused(shape_of(ShapeKind::Polygon, {{0, 0}, {1, 1}})));
     EXPECT_TRUE(refused(shape_of(ShapeKind::Line, {})));
+    EXPECT_TRUE(refused(smooth(shape_of(ShapeKind::Line, {{-32767, 0}, {0, 0}}))));  // half a pixel too wide
+    EXPECT_FALSE(refused(shape_of(ShapeKind::Line, {{-32767, 0}, {0, 0}})));
 }
 
 TEST(Machine, ShapesThatReachFarAwayAreDrawn) {

@@ -423,6 +423,14 @@ TEST(BadLessons, APentagramIsNoConvexWindow) {  // all its turns go the same way
               "no error");
 }
 
+TEST(BadLessons, AWideLineMustLeaveRoomForItsWidth) {
+    const std::string far = "[[shape2d]]\ntype = \"line\"\npoints = [[-32767, 0], [0, 0]]\n";
+    EXPECT_EQ(error_of(far), "no error");
+    EXPECT_EQ(error_of(far + "width = 3\n"),
+              "lesson.toml:3:11: shape2d.points[0]: this line is 3 wide, so its corners lie more than 32767 "
+              "pixels from the picture's first one");
+}
+
 TEST(BadLessons, OptionsAreSaidAsTheyWereWritten) {
     EXPECT_EQ(error_of(line, {{"antialiasing=aera"}, {}}),
               "--set antialiasing=aera: pipeline.antialiasing is \"aera\", accepted: none, area, weighted, "
