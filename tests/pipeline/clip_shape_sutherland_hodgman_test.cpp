@@ -58,6 +58,33 @@ TEST(SutherlandHodgman, PointsOnTheWindowAreNotDoubled) {
         << "along a side";
 }
 
+// Not even between two sides: corner (0, 2) and (0, 8) are their own crossings.
+TEST(SutherlandHodgman, ACornerOnTheLineIsNotCrossed) {
+    Watch w;
+    clip_shape_sutherland_hodgman(Points{{0, 2}, {-5, 5}, {0, 8}, {5, 5}}, box, w);
+    for (const ShapePointEmitted& point : w.points) EXPECT_FALSE(point.crossing);
+    for (const ShapeSideDone& side : w.sides)
+        for (std::size_t i = 0; i < side.polygon.size(); ++i)
+            EXPECT_NE(side.polygon[i], side.polygon[(i + 1) % side.polygon.size()]);
+}
+
+// The crossing with the left side lies a third of the least float above the corner (0, 0), onto which it is
+// rounded: for the top it is outside all the same.
+TEST(SutherlandHodgman, CornersAreJudgedWhereTheyAreExactly) {
+    const float e = 0x1p-149f;
+    const ClipLine lines[] = {line_of(box, Side::Left), line_of(box, Side::Top)};
+    Watch w;
+    clip_shape_sutherland_hodgman(Points{{-e, 0}, {3, -e}, {3, -5}}, std::span<const ClipLine>(lines), w);
+    ASSERT_EQ(w.sides.size(), 2u);
+    EXPECT_EQ(std::ranges::count(w.sides[0].polygon, glm::vec2(0, 0)), 1) << "rounded onto the corner";
+    EXPECT_TRUE(w.sides[1].polygon.empty());
+    for (const ShapeEdgeClassified& edge : w.edges) {
+        if (edge.side == 1) {
+            EXPECT_EQ(edge.kind, EdgeKind::Outside);
+        }
+    }
+}
+
 TEST(SutherlandHodgman, NothingOfNothing) {
     Watch w;
     const Points triangle{{1, 1}, {5, 1}, {1, 5}};
