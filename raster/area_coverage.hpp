@@ -69,7 +69,8 @@ void note_share(Probe& probe, const CoverageEdge& e, int column, int row, int sh
 }
 
 template <class Cover, class Probe>
-void emit_run(int row, int column, int end, int coverage, Cover& cover, Probe& probe) {
+[[gnu::always_inline]] inline void emit_run(int row, int column, int end, int coverage, Cover& cover,
+                                            Probe& probe) {
     if (coverage == 0) return;
     const int y = row - grid_origin, x0 = column - grid_origin, x1 = end - grid_origin;
     note<RunCovered>(probe, y, x0, x1, coverage);
@@ -164,13 +165,15 @@ bool cover_between(const EdgePiece* left, const EdgePiece* right, int row, const
         note_share(probe, *piece->edge, column, row, result, piece->height);
         return result;
     };
-    double area_l = area_left_of(begin, *left), area_r = area_left_of(outer, *right);
+    double area_l = begin == left->first ? 0 : area_left_of(begin, *left),
+           area_r = outer == right->first ? 0 : area_left_of(outer, *right);
     for (int column = begin, next; column < end; column = next) {
         const bool between = inner <= column && column < outer;
         next = between ? outer : column + 1;
         int coverage = column < inner ? share(left, column, area_l) : full;
         if (column >= outer) coverage -= share(right, column, area_r);
-        emit_run(row, column, next, coverage, cover, probe);
+        // a bow tie may change sides in this row
+        emit_run(row, column, next, std::abs(coverage), cover, probe);
     }
     return true;
 }
@@ -191,13 +194,14 @@ void area_coverage(std::span<const glm::dvec2> convex, const PixelBox& box, Cove
     }
     x[convex.size()] = x[0], y[convex.size()] = y[0];
     EdgeWalk edges[most];
+    Span rows[most];
     std::size_t count = 0;
     int row = grid.y1 + 1, last = grid.y0 - 1;
     for (std::size_t i = 0; i < convex.size(); ++i) {
         CoverageEdge& edge = edges[count].edge;
         if (!make_edge(x[i], y[i], x[i + 1], y[i + 1], edge)) continue;
+        rows[count++] = {edge.first_row(), edge.last_row()};
         row = std::min(row, edge.first_row()), last = std::max(last, edge.last_row());
-        ++count;
     }
     row = std::max(row, grid.y0), last = std::min(last, grid.y1);
     for (std::size_t i = 0; i < count; ++i) edges[i].start(row);
@@ -205,8 +209,7 @@ void area_coverage(std::span<const glm::dvec2> convex, const PixelBox& box, Cove
     for (; row <= last; ++row) {
         std::size_t here = 0;
         for (std::size_t i = 0; i < count; ++i)
-            if (edges[i].edge.first_row() <= row && row <= edges[i].edge.last_row())
-                pieces[here++] = edges[i].piece(row);
+            if (rows[i].x0 <= row && row <= rows[i].x1) pieces[here++] = edges[i].piece(row);
         if (here != 2 || !cover_between(&pieces[0], &pieces[1], row, grid, cover, probe))
             cover_row(std::span<const EdgePiece>{pieces, here}, row, grid, cover, probe);
     }

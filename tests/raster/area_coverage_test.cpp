@@ -240,6 +240,16 @@ TEST(AreaCoverage, ManyCornersGoTheGeneralWay) {
     EXPECT_NEAR(double(grid.sum()) / full_coverage, 3.14159265 * 16, 1e-3);
 }
 
+TEST(AreaCoverage, FewCornersOfAnyFormGoByTheNonZeroRule) {
+    RandomPlaces random(13);
+    for (int i = 0; i < 500; ++i) {
+        Ring ring;
+        for (int corners = random.whole(3, 8); corners > 0; --corners)
+            ring.push_back(i % 2 ? random.point(-2, 11) : random.point(-2, 11, 0.5));
+        EXPECT_TRUE(covered_convex(ring) == covered({ring})) << i;
+    }
+}
+
 TEST(AreaCoverage, RingsInsideEachOther) {
     const Ring outer{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, inner{{2, 2}, {6, 2}, {6, 6}, {2, 6}};
     const Ring turned(inner.rbegin(), inner.rend());
