@@ -47,21 +47,23 @@ SnappedPoint corner(const Primitive& p, int k) {
     return snapped(at.x, at.y);
 }
 
+void clear(Picture& picture) { fill_run(picture.row(0), 0, plane_size * plane_size, Rgba8{}); }
+
 // Clears the picture and hands each primitive to `draw` with what sets pixels of its colour.
 template <class Draw>
 void aliased(Picture& picture, const Primitives& all, Draw&& draw) {
-    std::fill(picture.pixels().begin(), picture.pixels().end(), Rgba8{});
+    clear(picture);
     for (const Primitive& p : all)
         draw(
-            p, [&, color = p.color](int x, int y) { picture.row(y)[x] = color; },
-            [&, color = p.color](int y, int x0, int x1) {
-                Rgba8* row = picture.row(y);
-                std::fill(row + x0, row + x1, color);
+            p,
+            [pixels = picture.row(0), color = p.color](int x, int y) { pixels[y * plane_size + x] = color; },
+            [pixels = picture.row(0), color = p.color](int y, int x0, int x1) {
+                std::fill(pixels + y * plane_size + x0, pixels + y * plane_size + x1, color);
             });
 }
 template <class Draw>
 void smooth(Picture& picture, const Primitives& all, Draw&& draw) {
-    std::fill(picture.pixels().begin(), picture.pixels().end(), Rgba8{});
+    clear(picture);
     for (const Primitive& p : all)
         draw(p, [&, color = p.color](int y, int x0, int x1, int coverage) {
             over(picture.row(y), x0, x1, color, coverage);
