@@ -36,13 +36,10 @@ struct CircleMidpoint {
     }
     template <class Probe>
     constexpr void step(Probe& probe) {
-        note<CircleStep>(probe, x, y, d, d < 0);
-        if (d < 0) {
-            d += 2 * x + 3;
-        } else {
-            d += 2 * (x - y) + 5;
-            --y;
-        }
+        const bool east = d < 0;
+        note<CircleStep>(probe, x, y, d, east);
+        d += 2 * x + 3 + (east ? 0 : 2 - 2 * y);
+        y -= east ? 0 : 1;
         ++x;
     }
 };

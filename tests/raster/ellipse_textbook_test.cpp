@@ -22,6 +22,17 @@ TEST(EllipseTextbook, AFlatOneHasNoTip) {
     EXPECT_EQ(probe.x, 87);
 }
 
+TEST(EllipseTextbook, AtEqualPartsOfTheGradientRegion2Begins) {
+    struct Probe {
+        int x = -1, y = -1;
+        void on(const raster::EllipseTurned& e) { x = e.x, y = e.y; }
+    } probe;  // at (1, 1) both are 4
+    raster::ellipse_textbook(
+        {0, 0}, 2, 1, everywhere, [](int, int) {}, probe);
+    EXPECT_EQ(probe.x, 1);
+    EXPECT_EQ(probe.y, 1);
+}
+
 // Of the 128 x 128 ellipses: how many are open, how many others miss a nearest pixel.
 TEST(EllipseTextbook, HowOftenItFails) {
     int open = 0, other = 0, twins = 0;
