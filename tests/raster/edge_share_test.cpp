@@ -56,5 +56,24 @@ TEST(EdgeShare, DoublesGiveTheSame) {
     }
 }
 
+// So close to a tie that doubles alone round the wrong way: found by searching through 65 million.
+TEST(EdgeShare, NextToATieTheIntegersDecide) {
+    struct Case {
+        std::int64_t ax, ay, bx, by;
+        int row, column, share;
+    };
+    for (const Case& c : {Case{2882393078, 346753391, 4518810632, 3092671138, 12048, 48008, 8350},
+                          Case{5972455591, 2218201861, 3394662203, 5606009191, 66782, 66071, 16063},
+                          Case{7527586233, 5669254285, 7130117598, 4902828158, 76716, 109784, 3084}}) {
+        CoverageEdge edge;
+        ASSERT_TRUE(make_edge(c.ax, c.ay, c.bx, c.by, edge));
+        const std::int64_t top = std::max(edge.y0, c.row * grid_pixel),
+                           bottom = std::min(edge.y1, (c.row + 1) * grid_pixel);
+        double below;
+        const EdgePiece piece = make_piece(edge, top, bottom, edge.x_at(top), below);
+        EXPECT_EQ(edge_share(piece, c.column), c.share);
+    }
+}
+
 }  // namespace
 }  // namespace relevo::raster
