@@ -129,6 +129,20 @@ TEST(GreinerHormann, AreasAreExact) {
     EXPECT_GT(shared, 400);
 }
 
+// Two meeting points that are one in floats (20000000 and 20000001, where floats are 2 apart) keep their
+// order.
+TEST(GreinerHormann, OrderAlongAnEdgeIsExact) {
+    const Points large{{0, 0}, {32e6f, 0}, {32e6f, 32e6f}, {0, 32e6f}};
+    Points needle{{20'000'000, -8}, {20'000'002, -8}, {20'000'000, 8}};
+    for (int turn = 0; turn < 3; ++turn) {
+        std::rotate(needle.begin(), needle.begin() + 1, needle.end());
+        for (const Points& ring : inside(large, needle)) EXPECT_LE(abs(exact::twice_area(ring)), 16);
+        const Rings rest = outside(large, needle);
+        ASSERT_EQ(rest.size(), 1u);
+        EXPECT_LE(abs(exact::twice_area(rest[0]) - exact::twice_area(large)), 32);
+    }
+}
+
 // All pairs of triangles on a grid of 3 x 3 points: every way in which corners and edges can touch.
 TEST(GreinerHormann, AllSmallTriangles) {
     std::vector<Points> triangles;
