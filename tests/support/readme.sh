@@ -20,3 +20,7 @@ block toml >"$folder/first.toml"
 "$relevo" steps "$root/samples/scenes/still_life.toml" -o "$folder/still_life"
 "$relevo" compare "$root/samples/strip.png" "$folder/still_life/strip.png" ||
     { echo "samples/strip.png is not what the demo draws: copy out/still_life/strip.png over it" >&2; exit 1; }
+
+"$relevo" steps "$root/samples/scenes/lessons/figure-5-2.toml" -o "$folder/lesson"
+"$relevo" compare "$root/samples/lesson.png" "$folder/lesson/01-line-midpoint/003.png" ||
+    { echo "samples/lesson.png is not what the lesson shows: copy its 01-line-midpoint/003.png over it" >&2; exit 1; }
