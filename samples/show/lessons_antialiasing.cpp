@@ -167,6 +167,16 @@ std::vector<std::vector<Spot>> pieces_in(const Rings& rings, Place at) {
     return pieces;
 }
 
+std::vector<Mark> outlines_of(const Rings& rings, Rgba8 color) {
+    std::vector<Mark> outlines;
+    for (const auto& ring : rings) {
+        if (ring.size() > 5000) continue;
+        outlines.push_back(mark(Kind::Outline, color, {}));
+        for (const glm::dvec2& p : ring) outlines.back().points.push_back({p.x, p.y});
+    }
+    return outlines;
+}
+
 Lesson lesson_of(const Subject& s, std::string name, std::string title, std::string sentence,
                  std::string source) {
     Lesson lesson;
@@ -175,12 +185,7 @@ Lesson lesson_of(const Subject& s, std::string name, std::string title, std::str
     lesson.sentence = std::move(sentence);
     lesson.source = std::move(source);
     lesson.view = s.view;
-    for (const auto& ring : s.rings) {
-        if (ring.size() > 5000) continue;
-        Mark outline = mark(Kind::Outline, ink, {});
-        for (const glm::dvec2& p : ring) outline.points.push_back({p.x, p.y});
-        lesson.ground.push_back(std::move(outline));
-    }
+    lesson.ground = outlines_of(s.rings, ink);
     lesson.legend = {{Kind::Cell, covered_color, "the more of it, the more is covered"},
                      {Kind::Frame, now_color, "the pixel of this step"}};
     return lesson;
@@ -226,16 +231,18 @@ void add_pixels(Lesson& lesson, const Coverages& all, const std::string& whole, 
     }
 }
 
-// Two border pixels of nearly the same `by`, as far apart in `differ` as there are.
+// Two border pixels whose `by` is the same within `near` and not small, as far apart in `differ` as there
+// are.
 template <class By, class Differ>
-std::optional<std::pair<Place, Place>> alike(const Coverages& all, By&& by, Differ&& differ, double least) {
+std::optional<std::pair<Place, Place>> alike(const Coverages& all, By&& by, Differ&& differ, double near,
+                                             double least) {
     std::optional<std::pair<Place, Place>> best;
     std::vector<std::pair<double, Place>> order;
     for (const auto& [at, coverage] : all)
-        if (is_border(coverage)) order.push_back({by(at), at});
+        if (is_border(coverage) && by(at) >= 0.2) order.push_back({by(at), at});
     std::sort(order.begin(), order.end());
     for (std::size_t i = 0; i + 1 < order.size(); ++i)
-        for (std::size_t k = i + 1; k < order.size() && order[k].first - order[i].first < 0.01; ++k) {
+        for (std::size_t k = i + 1; k < order.size() && order[k].first - order[i].first <= near; ++k) {
             const double apart = differ(order[i].second, order[k].second);
             if (apart > least) least = apart, best = {{order[i].second, order[k].second}};
         }
@@ -257,9 +264,16 @@ int at_or_0(const Coverages& all, Place p) {
 
 // Another smooth shape that shares a border pixel with this one so that both together fill it.
 struct Neighbour {
-    std::size_t shape;
+    const Shape* shape;
+    Rings rings;
     Place at;
     int mine, theirs;
+
+    std::vector<Mark> marks() const {
+        std::vector<Mark> found = outlines_of(rings, orange);
+        found.push_back(frame_of(at));
+        return found;
+    }
 };
 std::optional<Neighbour> neighbour_of(const Subject& s, const Coverages& mine, Antialiasing how) {
     std::optional<Neighbour> best;
@@ -267,10 +281,11 @@ std::optional<Neighbour> neighbour_of(const Subject& s, const Coverages& mine, A
     for (std::size_t i = 0; i < s.loaded.shapes.shapes.size(); ++i) {
         const Shape& other = s.loaded.shapes.shapes[i];
         if (i == s.number || !is_smooth_area(other) || other.antialiasing != s.shape.antialiasing) continue;
-        for (const auto& [at, theirs] : coverages(how, other, outline_of(other), s.view)) {
+        const Rings rings = outline_of(other);
+        for (const auto& [at, theirs] : coverages(how, other, rings, s.view)) {
             const int here = at_or_0(mine, at), smaller = std::min(here, theirs);
             if (std::abs(here + theirs - full_coverage) <= 4 && smaller > least)
-                least = smaller, best = Neighbour{i, at, here, theirs};
+                least = smaller, best = Neighbour{&other, rings, at, here, theirs};
         }
     }
     return best;
@@ -358,7 +373,7 @@ Lesson area_lesson(const Subject& s) {
     if (const auto pair = all.size() > 4000
                               ? std::nullopt
                               : alike(
-                                    all, [&](Place p) { return share(all.at(p)); }, apart, 0.2)) {
+                                    all, [&](Place p) { return share(all.at(p)); }, apart, 0.5 / 255, 0.2)) {
         LessonFrame frame;
         frame.title = "same area, other place";
         frame.equation = fmt::format("{} and {}: the same grey", number(share(all.at(pair->first))),
@@ -380,14 +395,14 @@ Lesson area_lesson(const Subject& s) {
             {"a seam",
              fmt::format("1 - (1 - {})(1 - {}) = {}, not 1", number(a), number(b),
                          number(1 - (1 - a) * (1 - b))),
-             fmt::format(
-                 "Pixel {} is shared with shape {}, and both together fill it. But each mixes with what "
-                 "it finds, so {} of the background stays: area is right for a shape and wrong for "
-                 "neighbours. Samples that shapes share leave no seam.",
-                 s.place(seam->at), seam->shape + 1,
-                 percent(static_cast<int>(std::lrint((1 - a) * (1 - b) * full_coverage)))),
+             fmt::format("Pixel {} is shared with the shape outlined in orange, and both together fill it. "
+                         "But each mixes with what "
+                         "it finds, so {} of the background stays: area is right for a shape and wrong for "
+                         "neighbours. Samples that shapes share leave no seam.",
+                         s.place(seam->at),
+                         percent(static_cast<int>(std::lrint((1 - a) * (1 - b) * full_coverage)))),
              {},
-             {frame_of(seam->at)},
+             seam->marks(),
              {}});
     }
     std::int64_t sum = 0;
@@ -448,9 +463,14 @@ Lesson weighted_lesson(const Subject& s) {
             frame.caption =
                 area == 0 ? "The shape does not touch this pixel's square, but the cone reaches it: the "
                             "tones pass over softly."
-                : coverage > area ? "More than the area alone: the shape lies where the cone is high."
-                                  : "Not more than the area alone: the shape lies where the cone is low, "
-                                    "or misses a part of it outside of the square.";
+                : number(share(coverage)) == number(share(area))
+                    ? "As much as the area alone: what the cone meets beyond the square makes up for its "
+                      "height, "
+                      "less than 1 everywhere."
+                : coverage > area
+                    ? "More than the area alone: the cone meets the shape beyond the square, too."
+                    : "Less than the area alone: the cone is lower than 1 everywhere, and what it "
+                      "meets beyond the square does not make up for it.";
             frame.now = cone_over(at);
             frame.row = {s.x(at.second), s.y(at.first), number(share(coverage)), percent(coverage),
                          number(share(area))};
@@ -460,7 +480,7 @@ Lesson weighted_lesson(const Subject& s) {
     if (const auto pair = all.size() > 4000 ? std::nullopt
                                             : alike(
                                                   all, [&](Place p) { return share(at_or_0(areas, p)); },
-                                                  difference, 0.02)) {
+                                                  difference, 1.0 / full_coverage, 0.05)) {
         LessonFrame frame;
         frame.title = "same area, other weight";
         frame.equation =
@@ -468,8 +488,8 @@ Lesson weighted_lesson(const Subject& s) {
                         number(share(at_or_0(areas, pair->second))), number(share(all.at(pair->first))),
                         number(share(all.at(pair->second))));
         frame.caption = fmt::format(
-            "Pixels {} and {} are covered alike, but the cone sees where: near the centre "
-            "counts more (figure 8.6).",
+            "The shape has the same area in pixels {} and {}, but the cone sees where: near the centre "
+            "counts more, and beyond the square counts, too (figure 8.6).",
             s.place(pair->first), s.place(pair->second));
         for (const Place& at : {pair->first, pair->second})
             for (Mark& m : cone_over(at)) frame.now.push_back(std::move(m));
@@ -624,17 +644,24 @@ Lesson multisample_lesson(const Subject& s) {
             return frame;
         });
     if (const auto seam = neighbour_of(s, all, Antialiasing::Multisample)) {
-        const double a = share(seam->mine), b = share(seam->theirs);
+        const PixelBox pixel{seam->at.second, seam->at.first, seam->at.second, seam->at.first};
+        const auto area = [&](const Rings& rings, const Shape& shape) {
+            return share(at_or_0(coverages(Antialiasing::Area, shape, rings, pixel), seam->at));
+        };
+        const auto points_of = [&](int coverage) { return std::lround(share(coverage) * n * n); };
+        const double a = area(s.rings, s.shape), b = area(seam->rings, *seam->shape);
         lesson.frames.push_back(
             {"no seam",
-             fmt::format("{} + {} = 1;  by area 1 - (1 - {})(1 - {}) = {}", number(a), number(b), number(a),
-                         number(b), number(1 - (1 - a) * (1 - b))),
+             fmt::format("{} + {} = {} points, all;  by area 1 - (1 - {})(1 - {}) = {}",
+                         points_of(seam->mine), points_of(seam->theirs), n * n, number(a), number(b),
+                         number(1 - (1 - a) * (1 - b))),
              fmt::format(
-                 "Pixel {} is shared with shape {}. Smoothed one after the other they would leave a seam of "
-                 "the background; with shared points they leave none.",
-                 s.place(seam->at), seam->shape + 1),
+                 "Pixel {} is shared with the shape outlined in orange. Smoothed one after the other by "
+                 "their "
+                 "areas they would leave a seam of the background; with shared points they leave none.",
+                 s.place(seam->at)),
              {},
-             {frame_of(seam->at)},
+             seam->marks(),
              {}});
     }
     return lesson;

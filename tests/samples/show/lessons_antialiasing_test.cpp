@@ -129,11 +129,17 @@ TEST(LessonsAntialiasing, ThePieceInThePixelHasTheAreaThatIsTold) {
 TEST(LessonsAntialiasing, TheSameAreaAtAnotherPlace) {
     const Lesson area = only_lesson(scene_of({shape(ShapeKind::Triangle, corners, Antialiasing::Area)}));
     EXPECT_NE(frame_called(area, "same area, other place"), nullptr);
-    const Lesson weighted =
-        only_lesson(scene_of({shape(ShapeKind::Triangle, corners, Antialiasing::Weighted)}));
+    // One row has its centres in the middle of the band, another at its border: half of the area each.
+    auto band =
+        shape(ShapeKind::Polyline, {{2, 2}, {12, 2}, {12, 7.25f}, {2, 7.25f}}, Antialiasing::Weighted);
+    band.width = 0.5f;
+    const Lesson weighted = only_lesson(scene_of({band}));
     const LessonFrame* pair = frame_called(weighted, "same area, other weight");
     ASSERT_NE(pair, nullptr);
-    EXPECT_TRUE(says(pair->equation, "weight"));
+    EXPECT_TRUE(says(pair->equation, "area 0.5 and 0.5, weight ")) << pair->equation;
+    const Lesson none =
+        only_lesson(scene_of({shape(ShapeKind::Line, {{1, 5}, {7, 5}}, Antialiasing::Weighted)}));
+    EXPECT_EQ(frame_called(none, "same area, other weight"), nullptr) << "only untouched pixels are alike";
 }
 
 TEST(LessonsAntialiasing, TheConeReachesBeyondTheShape) {
@@ -144,6 +150,17 @@ TEST(LessonsAntialiasing, TheConeReachesBeyondTheShape) {
     ASSERT_NE(beside, nullptr);
     EXPECT_TRUE(says(beside->caption, "does not touch"));
     EXPECT_TRUE(says(beside->equation, "(area alone: 0)"));
+    // The cone is lower than 1, so a pixel has more than its area only by what lies beyond its square.
+    const Lesson grown =
+        only_lesson(scene_of({shape(ShapeKind::Rectangle, {{5.25f, -3}, {9, 20}}, Antialiasing::Weighted)}));
+    const LessonFrame* more = frame_called(grown, "pixel (5, 5)");
+    ASSERT_NE(more, nullptr);
+    EXPECT_TRUE(says(more->equation, "(area alone: 0.25)"));
+    EXPECT_TRUE(says(more->caption, "More than the area alone: the cone meets the shape beyond"));
+    const Lesson halved =
+        only_lesson(scene_of({shape(ShapeKind::Rectangle, {{5, -3}, {9, 20}}, Antialiasing::Weighted)}));
+    ASSERT_NE(frame_called(halved, "pixel (5, 5)"), nullptr);
+    EXPECT_TRUE(says(frame_called(halved, "pixel (5, 5)")->caption, "As much as the area alone"));
     EXPECT_TRUE(says(lesson.frames[0].equation, "0.9549"));
 }
 
@@ -177,7 +194,9 @@ TEST(LessonsAntialiasing, TheSeamAndItsCure) {
     for (const std::size_t number : {0u, 1u}) {
         const Lesson shared = only_lesson(loaded, number);
         ASSERT_NE(frame_called(shared, "no seam"), nullptr);
-        EXPECT_TRUE(says(frame_called(shared, "no seam")->equation, " = 1;  by area 1 - (1 - "));
+        EXPECT_TRUE(says(frame_called(shared, "no seam")->equation,
+                         " = 16 points, all;  by area 1 - (1 - 0.5)(1 - 0.5) = 0.75"));
+        EXPECT_TRUE(says(frame_called(shared, "no seam")->caption, "outlined in orange"));
         int filled = 0;
         for (const LessonFrame& frame : shared.frames) {
             if (frame.row.empty() || frame.row[3] == "0") continue;
