@@ -442,7 +442,7 @@ class ParametricLesson {
                 "two.",
                 number(t_in_), number(t_out_));
             frame.now = {segment(visible, result->a, result->b), dot(visible, result->a),
-                         dot(visible, result->b)};
+                         dot(t_out_ < 1 ? crossing : visible, result->b)};
         } else {
             frame.equation = "nothing is visible";
             frame.caption = "The segment is rejected without computing a single point.";
@@ -514,6 +514,7 @@ Lesson cyrus_beck_lesson(const Subject& s, const Segment& whole) {
         "tells which, N being the side's outward normal.";
     page.lesson.source = "Cyrus and Beck 1978; textbook section 4.1.2, algorithm 4.1, figures 4.4 and 4.5";
     page.lesson.legend.push_back({Kind::Arrow, purple, "normal N of the side"});
+    page.lesson.legend.push_back({Kind::Dot, purple, "PL, a corner on it"});
     if (s.refusal) {
         refuse(page.lesson, *s.refusal);
         return std::move(page.lesson);
@@ -527,7 +528,8 @@ Lesson cyrus_beck_lesson(const Subject& s, const Segment& whole) {
             return std::move(page.lesson);
         }
         const auto& e = std::get<SideParameterFound>(event);
-        // a point of the side, and its ends: those of a box's line are anywhere on it
+        // The ends of the side, the first being PL. A box's line has others, but N.(P0 - PL) is the same for
+        // all points PL of a line.
         glm::vec2 from = e.line.from, to = e.line.to;
         for (std::size_t i = 0; s.upright && i < 4; ++i)
             if (side_of(e.line, s.window[i]) == 0 && side_of(e.line, s.window[(i + 1) % 4]) == 0)
@@ -540,15 +542,16 @@ Lesson cyrus_beck_lesson(const Subject& s, const Segment& whole) {
             return fmt::format("({}, {})", number(x), number(up * y));
         };
         const std::string value = std::isnan(e.t) ? "no t" : "t = " + number(e.t);
-        page.step({s.side_names[e.side], e.line, e.numerator, e.denominator, e.t, e.passage, e.t_in, e.t_out,
-                   e.empty},
-                  fmt::format("N.(P0 - PL) / (-N.D) = {} / {} -> {}", number(e.numerator),
-                              term(e.denominator), value),
-                  fmt::format(" N = {}, P0 - PL = {}, D = {}.", vector(e.normal_x, e.normal_y),
-                              vector(double{whole.a.x} - e.line.from.x, double{whole.a.y} - e.line.from.y),
-                              vector(double{whole.b.x} - whole.a.x, double{whole.b.y} - whole.a.y)),
-                  {mark(Kind::Segment, purple, {spot(from), spot(to)}),
-                   mark(Kind::Arrow, purple, {middle, tip}), label(tip, purple, "N")});
+        page.step(
+            {s.side_names[e.side], e.line, e.numerator, e.denominator, e.t, e.passage, e.t_in, e.t_out,
+             e.empty},
+            fmt::format("N.(P0 - PL) / (-N.D) = {} / {} -> {}", number(e.numerator), term(e.denominator),
+                        value),
+            fmt::format(" N = {}, PL = {}, P0 - PL = {}, D = {}.", vector(e.normal_x, e.normal_y),
+                        s.words.place(from), vector(double{whole.a.x} - from.x, double{whole.a.y} - from.y),
+                        vector(double{whole.b.x} - whole.a.x, double{whole.b.y} - whole.a.y)),
+            {mark(Kind::Segment, purple, {spot(from), spot(to)}), mark(Kind::Arrow, purple, {middle, tip}),
+             label(tip, purple, "N"), dot(purple, from), label(spot(from), purple, "PL")});
     }
     page.finish(result);
     return std::move(page.lesson);
@@ -855,14 +858,19 @@ Lesson pipeline_lesson(const Subject& s, const Points& polygon) {
     Heard<ShapeEdgeClassified, ShapePointEmitted, ShapeStageHolds, ClipRefused> heard;
     const ClippedRing clipped = clip_ring_pipeline(polygon, std::span<const ClipLine>(s.sides), heard);
 
-    std::vector<std::string> holds(s.sides.size(), "-"), steps;
+    std::vector<std::string> holds(s.sides.size(), "-");
+    std::vector<std::vector<std::string>> kinds(shown);  // of the edges of each stage
     LessonFrame frame;
     std::size_t corner = 0;
     int out = 0;
     const auto finish = [&] {
         const bool closing = corner == polygon.size();
         frame.title = closing ? "close" : fmt::format("corner {}", corner + 1);
-        frame.equation = steps.empty() ? "no edge yet" : fmt::format("{}", fmt::join(steps, " | "));
+        std::vector<std::string> stages;
+        for (std::size_t i = 0; i < shown; ++i)
+            if (!kinds[i].empty())
+                stages.push_back(s.side_names[i] + ": " + names(std::exchange(kinds[i], {})));
+        frame.equation = stages.empty() ? "no edge yet" : fmt::format("{}", fmt::join(stages, "; "));
         frame.caption =
             closing ? "All corners are in: each side closes the polygon with the edge from its last to its "
                       "first corner."
@@ -875,7 +883,7 @@ Lesson pipeline_lesson(const Subject& s, const Points& polygon) {
         frame.row.push_back(std::to_string(out));
         if (!closing) frame.now.push_back(dot(ink, polygon[corner]));
         lesson.frames.push_back(std::exchange(frame, {}));
-        steps.clear(), ++corner;
+        ++corner;
     };
     for (const auto& event : heard.events) {
         if (const auto* refused = std::get_if<ClipRefused>(&event)) {
@@ -884,8 +892,7 @@ Lesson pipeline_lesson(const Subject& s, const Points& polygon) {
         }
         if (const auto* edge = std::get_if<ShapeEdgeClassified>(&event)) {
             if (edge->side == 0) finish();  // the corner before has run through
-            if (steps.size() < most_stages)
-                steps.push_back(fmt::format("{}: {}", s.side_names[edge->side], name_of(edge->kind)));
+            if (edge->side < shown) kinds[edge->side].push_back(name_of(edge->kind));
             frame.now.push_back(arrow(*edge));
         } else if (const auto* point = std::get_if<ShapePointEmitted>(&event)) {
             if (point->side + 1 == s.sides.size()) frame.stays.push_back(dot(visible, point->point)), ++out;

@@ -114,6 +114,22 @@ TEST(LessonsClipping, CyrusBeckShowsNormals) {
     EXPECT_EQ(lesson.frames.back().equation, "P(0.125) = (4, 4),  P(0.5) = (10, 4)");
 }
 
+// Fig. 4.4: PL is a corner of the window, is marked, and gives the printed numerator.
+TEST(LessonsClipping, CyrusBeckNamesThePointOfTheSide) {
+    const Lesson lesson =
+        lesson_of("window = [4, 3, 14, 10]\nlines = \"cyrus-beck\"\n", line("[[8, 5], [19, 9]]"));
+    ASSERT_EQ(lesson.frames.size(), 6u);
+    int named = 0;
+    for (const LessonFrame& frame : lesson.frames) {
+        if (frame.title.starts_with("left")) {
+            EXPECT_EQ(frame.equation, "N.(P0 - PL) / (-N.D) = -4 / 11 -> t = -0.3636");
+            EXPECT_TRUE(says(frame, "N = (-1, 0), PL = (4, 3), P0 - PL = (4, 2)")) << frame.caption;
+        }
+        for (const Mark& mark : frame.now) named += mark.text == "PL";
+    }
+    EXPECT_EQ(named, 4);
+}
+
 TEST(LessonsClipping, MidpointHalves) {
     const Lesson lesson =
         lesson_of("window = [4, 3, 14, 9]\nlines = \"midpoint\"\n", line("[[6, 5], [18, 13]]"));
@@ -167,6 +183,21 @@ TEST(LessonsClipping, ThePipelineShowsWhatStagesHold) {
     EXPECT_EQ(lesson.frames[4].title, "close");
     EXPECT_EQ(lesson.frames[4].row.back(), "4");
     EXPECT_EQ(lesson.frames[5].equation, "area 60");
+}
+
+// Fig. 4.8: a stage may handle several edges of one corner.
+TEST(LessonsClipping, ThePipelineTellsAllEdgesOfAStage) {
+    const Lesson lesson = lesson_of(
+        "window = [4, 3, 15, 11]\npolygons = \"pipeline\"\norder = [\"left\", \"right\", \"bottom\", "
+        "\"top\"]\n",
+        polygon("[[1, 6], [18, 1], [12, 13.5]]"));
+    ASSERT_EQ(lesson.frames.size(), 5u) << "three corners, close, result";
+    EXPECT_EQ(lesson.frames[1].equation, "left: entering; right: leaving");
+    EXPECT_EQ(lesson.frames[2].equation,
+              "left: inside; right: entering; bottom: entering, inside; top: inside, leaving");
+    EXPECT_EQ(lesson.frames[3].equation,
+              "left: leaving; right: inside, inside; bottom: inside, inside, leaving; "
+              "top: entering, inside, inside, inside");
 }
 
 TEST(LessonsClipping, GreinerHormannWalks) {
