@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/clip_plane.hpp"
+#include "pipeline/simple_polygon.hpp"
 
 namespace relevo::scene {
 namespace {
@@ -23,7 +23,7 @@ constexpr std::string_view shape_keys[] = {"type",    "points",  "center",      
                                            "color",   "opacity", "even_weight"};
 constexpr std::string_view places_of_extent = "[x0, y0, x1, y1], the whole numbers of the corner pixels";
 constexpr int largest_zoom = 64, most_samples = 16;
-constexpr std::size_t most_points = 1'000'000;
+constexpr std::size_t most_points = 1'000'000, most_walked = 4096;
 
 bool is_line(ShapeKind kind) { return kind == ShapeKind::Line || kind == ShapeKind::Polyline; }
 bool is_curve(ShapeKind kind) { return kind == ShapeKind::Circle || kind == ShapeKind::Ellipse; }
@@ -33,6 +33,7 @@ bool smooths_itself(ScanAlgorithm algorithm) {
 bool counts_samples(Antialiasing antialiasing) {
     return antialiasing == Antialiasing::Supersample || antialiasing == Antialiasing::Multisample;
 }
+bool walks(const raster::ShapeClip& clip) { return clip.polygons == raster::PolygonClipper::GreinerHormann; }
 template <class Meaning>
 bool holds(const std::vector<Meaning>& all, Meaning one) {
     return std::find(all.begin(), all.end(), one) != all.end();
@@ -178,12 +179,34 @@ void refuse_unused(const Fields& pipeline, const Defaults& defaults) {
     if (defaults.samples && !defaults.samples_used) refuse("samples");
 }
 
+// Greiner and Hormann walk along outlines, and lose their way where one meets itself.
+void check_walkable(const Fields& fields, std::string_view key, std::span<const Point> ring,
+                    std::string_view way_out) {
+    if (!fields.diagnosis().fine()) return;
+    const auto refuse = [&](const std::string& what) {
+        fields.diagnosis().say(fields.place(key), fmt::format("{} {}", fields.full(key), what));
+    };
+    if (ring.size() > most_walked)
+        return refuse(
+            fmt::format("is a list of {}, accepted: at most {} corners with polygons = "
+                        "\"greiner-hormann\"; {}",
+                        ring.size(), most_walked, way_out));
+    if (const auto crossing = pipeline::crossing_of(ring))
+        refuse(
+            fmt::format("crosses or touches itself: the edge from {0}[{1}] meets the edge from "
+                        "{0}[{2}], accepted with polygons = \"greiner-hormann\": an outline that does "
+                        "not; {3}",
+                        key, crossing->first, crossing->second, way_out));
+}
+
 // -------------------------------------------------------------------------------------------- [[shape2d]]
 class ShapeReader {
   public:
-    ShapeReader(const Value& table, const Places& places, Defaults& defaults, Diagnosis& diagnosis)
+    ShapeReader(const Value& table, const Places& places, const raster::ShapeClip& clip, Defaults& defaults,
+                Diagnosis& diagnosis)
         : fields_(table, "shape2d", shape_keys, diagnosis),
           places_(places),
+          clip_(clip),
           defaults_(defaults),
           diagnosis_(diagnosis) {}
 
@@ -336,6 +359,9 @@ class ShapeReader {
         shape_.points.reserve(list->size());
         for (std::size_t i = 0; i < list->size() && diagnosis_.fine(); ++i)
             shape_.points.push_back(place((*list)[i], fmt::format("points[{}]", i)));
+        if (shape_.kind == ShapeKind::Polygon && walks(clip_))
+            check_walkable(fields_, "points", shape_.points,
+                           "\"sutherland-hodgman\" and \"pipeline\" take any outline in a convex window");
     }
 
     struct Counts {
@@ -381,6 +407,7 @@ class ShapeReader {
 
     Fields fields_;
     const Places& places_;
+    const raster::ShapeClip& clip_;
     Defaults& defaults_;
     Diagnosis& diagnosis_;
     Shape shape_;
@@ -412,7 +439,9 @@ void read_polygon(const Fields& fields, const Places& places, raster::ShapeClip&
     const auto window = pipeline::convex_window(clip.polygon);
     const bool convex = bool(window);
     if (!convex && window.error() == pipeline::Refusal::NoArea) return fields.refuse("polygon", words);
-    if (!convex && clip.polygons != raster::PolygonClipper::GreinerHormann)
+    if (walks(clip))
+        check_walkable(fields, "polygon", clip.polygon, "the other clippers take convex windows only");
+    else if (!convex)
         fields.diagnosis().say(fields.place("polygon"),
                                fmt::format("clip.polygon is not convex, which polygons = \"{}\" cannot do; "
                                            "accepted: a convex one, or polygons = \"greiner-hormann\"",
@@ -461,8 +490,7 @@ raster::ShapeClip read_clip(const std::optional<Value>& table, const Places& pla
         diagnosis.say(table->place, fmt::format("clip has {}, accepted: either window or polygon",
                                                 fields.has("window") ? "both window and polygon"
                                                                      : "neither window nor polygon"));
-    if (clip.polygons == raster::PolygonClipper::GreinerHormann)
-        say("split", "has no place here: greiner-hormann makes no bridges to be cut");
+    if (walks(clip)) say("split", "has no place here: greiner-hormann makes no bridges to be cut");
     if (fields.has("polygon"))
         say("order", "is for a window: the sides of a polygon come in their own order");
     if (!diagnosis.fine()) return clip;
@@ -485,7 +513,8 @@ void read_lesson(const LessonTables& tables, std::optional<std::pair<int, int>> 
     out.shapes.clip = read_clip(tables.clip, places, diagnosis);
     for (const Value& shape : tables.shapes)
         if (diagnosis.fine())
-            out.shapes.shapes.push_back(ShapeReader(shape, places, defaults, diagnosis).read());
+            out.shapes.shapes.push_back(
+                ShapeReader(shape, places, out.shapes.clip, defaults, diagnosis).read());
     if (diagnosis.fine()) refuse_unused(pipeline, defaults);
 }
 

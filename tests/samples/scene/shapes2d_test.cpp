@@ -1,6 +1,7 @@
 // Lessons: what [[shape2d]], [axes] and [clip] say, and every error with its place.
 #include "samples/scene/shapes2d.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "samples/scene/scene.hpp"
@@ -421,6 +422,47 @@ TEST(BadLessons, APentagramIsNoConvexWindow) {  // all its turns go the same way
               std::string::npos);
     EXPECT_EQ(error_of("[clip]\npolygon = [[0, 0], [4, 0], [8, 0], [8, 8], [8, 8], [0, 8]]\n" + line),
               "no error");
+}
+
+TEST(BadLessons, GreinerHormannTakesNoOutlineThatMeetsItself) {
+    const std::string axes = "[axes]\nextent = [-1, -1, 13, 6]\n[clip]\nwindow = [1, 1, 6, 3]\n";
+    const std::string walk = "polygons = \"greiner-hormann\"\n",
+                      polygon = "[[shape2d]]\ntype = \"polygon\"\n";
+    const std::string bow = "points = [[0, 0], [10, 5], [10, 0], [0, 5]]\n",
+                      star = "points = [[0, -9], [5, 7], [-9, -3], [9, -3], [-5, 7]]\n",
+                      arrow = "points = [[0, 0], [8, 4], [0, 8], [2, 4]]\n";
+    const std::string end =
+        "accepted with polygons = \"greiner-hormann\": an outline that does not; \"sutherland-hodgman\" and "
+        "\"pipeline\" take any outline in a convex window";
+    const std::string meets =
+        "lesson.toml:8:10: shape2d.points crosses or touches itself: the edge from points[0] meets the edge "
+        "from points[2], ";
+    EXPECT_EQ(error_of(axes + walk + polygon + bow), meets + end);
+    EXPECT_EQ(error_of(axes + walk + polygon + star), meets + end);
+    EXPECT_EQ(error_of(axes + walk + polygon + arrow), "no error");
+    EXPECT_EQ(error_of(axes + polygon + bow), "no error");
+    EXPECT_EQ(error_of(axes + "polygons = \"pipeline\"\n" + polygon + bow), "no error");
+    EXPECT_EQ(error_of(axes + walk + "[[shape2d]]\ntype = \"polyline\"\n" + bow), "no error")
+        << "lines are clipped one by one";
+    EXPECT_EQ(error_of("[clip]\npolygon = [[0, 0], [10, 5], [10, 0], [0, 6]]\n" + walk + line),
+              "lesson.toml:2:11: clip.polygon crosses or touches itself: the edge from polygon[0] meets the "
+              "edge from polygon[2], accepted with polygons = \"greiner-hormann\": an outline that does not; "
+              "the other clippers take convex windows only");
+}
+
+TEST(BadLessons, GreinerHormannTakesSoManyCorners) {
+    const auto comb = [](int corners) {
+        std::string text =
+            "[clip]\nwindow = [1, 1, 6, 3]\npolygons = \"greiner-hormann\"\n[[shape2d]]\n"
+            "type = \"polygon\"\npoints = [[0, 9]";
+        for (int i = 1; i + 1 < corners; ++i) text += fmt::format(", [{}, {}]", i, i % 2);
+        return text + fmt::format(", [{}, 9]]\n", corners);
+    };
+    EXPECT_EQ(error_of(comb(4096)), "no error");
+    EXPECT_EQ(error_of(comb(4097)),
+              "lesson.toml:6:10: shape2d.points is a list of 4097, accepted: at most 4096 corners with "
+              "polygons = \"greiner-hormann\"; \"sutherland-hodgman\" and \"pipeline\" take any outline in a "
+              "convex window");
 }
 
 TEST(BadLessons, AWideLineMustLeaveRoomForItsWidth) {
