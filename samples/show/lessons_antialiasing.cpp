@@ -231,8 +231,8 @@ void add_pixels(Lesson& lesson, const Coverages& all, const std::string& whole, 
     }
 }
 
-// Two border pixels whose `by` is the same within `near` and not small, as far apart in `differ` as there
-// are.
+// Two border pixels whose `by` is the same within `near` and not small, as far apart
+// in `differ` as there are.
 template <class By, class Differ>
 std::optional<std::pair<Place, Place>> alike(const Coverages& all, By&& by, Differ&& differ, double near,
                                              double least) {
@@ -395,12 +395,11 @@ Lesson area_lesson(const Subject& s) {
             {"a seam",
              fmt::format("1 - (1 - {})(1 - {}) = {}, not 1", number(a), number(b),
                          number(1 - (1 - a) * (1 - b))),
-             fmt::format("Pixel {} is shared with the shape outlined in orange, and both together fill it. "
-                         "But each mixes with what "
-                         "it finds, so {} of the background stays: area is right for a shape and wrong for "
-                         "neighbours. Samples that shapes share leave no seam.",
-                         s.place(seam->at),
-                         percent(static_cast<int>(std::lrint((1 - a) * (1 - b) * full_coverage)))),
+             fmt::format(
+                 "Pixel {} is shared with the shape outlined in orange, and both together fill it. "
+                 "But each mixes with what it finds, so {} of the background stays: area is right for "
+                 "a shape and wrong for neighbours. Samples that shapes share leave no seam.",
+                 s.place(seam->at), percent(static_cast<int>(std::lrint((1 - a) * (1 - b) * full_coverage)))),
              {},
              seam->marks(),
              {}});
@@ -465,8 +464,7 @@ Lesson weighted_lesson(const Subject& s) {
                             "tones pass over softly."
                 : number(share(coverage)) == number(share(area))
                     ? "As much as the area alone: what the cone meets beyond the square makes up for its "
-                      "height, "
-                      "less than 1 everywhere."
+                      "height, less than 1 everywhere."
                 : coverage > area
                     ? "More than the area alone: the cone meets the shape beyond the square, too."
                     : "Less than the area alone: the cone is lower than 1 everywhere, and what it "
@@ -652,14 +650,12 @@ Lesson multisample_lesson(const Subject& s) {
         const double a = area(s.rings, s.shape), b = area(seam->rings, *seam->shape);
         lesson.frames.push_back(
             {"no seam",
-             fmt::format("{} + {} = {} points, all;  by area 1 - (1 - {})(1 - {}) = {}",
-                         points_of(seam->mine), points_of(seam->theirs), n * n, number(a), number(b),
-                         number(1 - (1 - a) * (1 - b))),
-             fmt::format(
-                 "Pixel {} is shared with the shape outlined in orange. Smoothed one after the other by "
-                 "their "
-                 "areas they would leave a seam of the background; with shared points they leave none.",
-                 s.place(seam->at)),
+             fmt::format("{} + {} = {};  area: 1 - (1 - {})(1 - {}) = {}", points_of(seam->mine),
+                         points_of(seam->theirs), n * n, number(a), number(b), number(1 - (1 - a) * (1 - b))),
+             fmt::format("Pixel {} is shared with the shape outlined in orange: together they own all its "
+                         "{}. By their "
+                         "areas, one after the other, they would leave a seam of the background.",
+                         s.place(seam->at), counted(n * n, "point")),
              {},
              seam->marks(),
              {}});

@@ -194,8 +194,8 @@ TEST(LessonsAntialiasing, TheSeamAndItsCure) {
     for (const std::size_t number : {0u, 1u}) {
         const Lesson shared = only_lesson(loaded, number);
         ASSERT_NE(frame_called(shared, "no seam"), nullptr);
-        EXPECT_TRUE(says(frame_called(shared, "no seam")->equation,
-                         " = 16 points, all;  by area 1 - (1 - 0.5)(1 - 0.5) = 0.75"));
+        EXPECT_TRUE(
+            says(frame_called(shared, "no seam")->equation, " = 16;  area: 1 - (1 - 0.5)(1 - 0.5) = 0.75"));
         EXPECT_TRUE(says(frame_called(shared, "no seam")->caption, "outlined in orange"));
         int filled = 0;
         for (const LessonFrame& frame : shared.frames) {
