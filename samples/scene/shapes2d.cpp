@@ -21,7 +21,7 @@ constexpr std::string_view clip_keys[] = {"window", "polygon", "lines", "polygon
 constexpr std::string_view shape_keys[] = {"type",    "points",  "center",       "radius", "algorithm",
                                            "samples", "width",   "antialiasing", "filled", "inside",
                                            "color",   "opacity", "even_weight"};
-constexpr std::string_view places_of_extent = "[x0, y0, x1, y1], the whole numbers of the corner pixels";
+constexpr double half_the_least_float = 0x1p-150;  // what is not larger is 0 as a float
 constexpr int largest_zoom = 64, most_samples = 16;
 constexpr std::size_t most_points = 1'000'000, most_walked = 4096;
 
@@ -54,8 +54,8 @@ class Places {
         : axes_(axes),
           across_(range(axes.left - largest_place, axes.left + largest_place)),
           along_(range(axes.top - largest_place, axes.top + largest_place)),
-          words_(fmt::format("a number from {} to {} for x and from {} to {} for y", across_.low,
-                             across_.high, along_.low, along_.high)) {
+          words_(fmt::format("from {} to {} for x and from {} to {} for y", across_.low, across_.high,
+                             along_.low, along_.high)) {
         across_.accepted = along_.accepted = words_;
     }
     Places(const Places&) = delete;
@@ -114,8 +114,10 @@ void read_axes(const LessonTables& tables, std::optional<std::pair<int, int>> si
     const Range ranges[] = {range, range, range, range};
     const std::vector<double> n = fields.numbers(*extent, "extent", ranges);
     if (!diagnosis.fine()) return;
-    if (std::any_of(n.begin(), n.end(), [](double c) { return c != std::floor(c); }))
-        return fields.refuse("extent", places_of_extent);
+    for (std::size_t i = 0; i < n.size(); ++i)
+        if (n[i] != std::floor(n[i]))
+            return fields.refuse(std::get<std::vector<Value>>(extent->data)[i], fmt::format("extent[{}]", i),
+                                 range.accepted);
     if (n[0] > n[2] || n[1] > n[3])
         return diagnosis.say(extent->place,
                              fmt::format("axes.extent goes from ({}, {}) to ({}, {}), accepted: [x0, y0, x1, "
@@ -177,6 +179,15 @@ void refuse_unused(const Fields& pipeline, const Defaults& defaults) {
     if (defaults.algorithm && !defaults.algorithm_used) refuse("algorithm");
     if (defaults.antialiasing && !defaults.antialiasing_used) refuse("antialiasing");
     if (defaults.samples && !defaults.samples_used) refuse("samples");
+}
+
+// "clip.order is a list of 1, accepted: ..."
+void refuse_list(const Fields& fields, std::string_view key, std::string_view accepted) {
+    const Value* value = fields.find(key);
+    const auto* list = value ? std::get_if<std::vector<Value>>(&value->data) : nullptr;
+    if (!list) return fields.refuse(key, accepted);
+    fields.diagnosis().say(value->place, fmt::format("{} is a list of {}, accepted: {}", fields.full(key),
+                                                     list->size(), accepted));
 }
 
 // Greiner and Hormann walk along outlines, and lose their way where one meets itself.
@@ -293,8 +304,8 @@ class ShapeReader {
                        "is for antialiasing = \"area\": the outline of whole pixels is one pixel thin");
         else if (shape_.algorithm == ScanAlgorithm::Wu)
             refuse_key("width", "has no place here: the lines of Wu are one pixel wide");
-        shape_.width = static_cast<float>(
-            fields_.number("width", 1, {0, 1024, true, false, "more than 0, at most 1024 pixels"}));
+        shape_.width = static_cast<float>(fields_.number(
+            "width", 1, {half_the_least_float, 1024, true, false, "more than 0, at most 1024 pixels"}));
         if (!is_line(shape_.kind) || smooth || smooths_itself(shape_.algorithm))
             refuse_key("even_weight", "is for lines that are not smoothed");
         shape_.even_weight = fields_.flag("even_weight", false);
@@ -321,10 +332,11 @@ class ShapeReader {
         const std::string who = whole_pixel_algorithm();
         if (who.empty() || !diagnosis_.fine()) return;
         if (numbers.x == std::floor(numbers.x) && numbers.y == std::floor(numbers.y)) return;
-        diagnosis_.say(value.place,
-                       fmt::format("{} is [{}, {}], accepted: whole numbers, since {} works in whole "
-                                   "pixels (antialiasing = \"area\" takes any number)",
-                                   fields_.full(key), numbers.x, numbers.y, who));
+        const bool both = std::holds_alternative<std::vector<Value>>(value.data);
+        const std::string found = both ? fmt::format("[{}, {}]", numbers.x, numbers.y) : describe(numbers.x);
+        diagnosis_.say(value.place, fmt::format("{} is {}, accepted: whole numbers, since {} works in whole "
+                                                "pixels (antialiasing = \"area\" takes any number)",
+                                                fields_.full(key), found, who));
     }
 
     Point place(const Value& value, const std::string& key) {
@@ -350,12 +362,9 @@ class ShapeReader {
         refuse_key("radius", "is for circles and ellipses");
         const auto [least, most, words] = counts();
         const Value* value = fields_.find("points");
-        if (!value) return fields_.refuse("points", words);
-        const auto* list = std::get_if<std::vector<Value>>(&value->data);
-        if (!list) return fields_.refuse("points", words);
-        if (list->size() < least || list->size() > most)
-            return diagnosis_.say(value->place, fmt::format("shape2d.points is a list of {}, accepted: {}",
-                                                            list->size(), words));
+        const auto* list = value ? std::get_if<std::vector<Value>>(&value->data) : nullptr;
+        if (!list || list->size() < least || list->size() > most)
+            return refuse_list(fields_, "points", words);
         shape_.points.reserve(list->size());
         for (std::size_t i = 0; i < list->size() && diagnosis_.fine(); ++i)
             shape_.points.push_back(place((*list)[i], fmt::format("points[{}]", i)));
@@ -394,7 +403,7 @@ class ShapeReader {
         const std::string words =
             circle ? "a number from " + range : "[a, b], the radii across and down, each from " + range;
         if (!radius) return fields_.refuse("radius", words);
-        const Range accepted{0, double(largest_place), false, false, circle ? words : range};
+        const Range accepted{0, double(largest_place), false, false, range};
         const Range ranges[] = {accepted, accepted};
         if (circle == std::holds_alternative<std::vector<Value>>(radius->data))
             return fields_.refuse("radius", words);
@@ -432,13 +441,16 @@ void read_window(const Fields& fields, const Places& places, raster::ShapeClip& 
 void read_polygon(const Fields& fields, const Places& places, raster::ShapeClip& clip) {
     constexpr std::string_view words = "at least three corners [x, y] that do not lie on one line";
     const auto* list = std::get_if<std::vector<Value>>(&fields.find("polygon")->data);
-    if (!list || list->size() < 3) return fields.refuse("polygon", words);
+    if (!list || list->size() < 3) return refuse_list(fields, "polygon", words);
     for (std::size_t i = 0; i < list->size() && fields.diagnosis().fine(); ++i)
         clip.polygon.push_back(places.point(fields, (*list)[i], fmt::format("polygon[{}]", i)));
     if (!fields.diagnosis().fine()) return;
     const auto window = pipeline::convex_window(clip.polygon);
     const bool convex = bool(window);
-    if (!convex && window.error() == pipeline::Refusal::NoArea) return fields.refuse("polygon", words);
+    if (!convex && window.error() == pipeline::Refusal::NoArea)
+        return fields.diagnosis().say(
+            fields.place("polygon"),
+            fmt::format("clip.polygon has all corners on one line, accepted: {}", words));
     if (walks(clip))
         check_walkable(fields, "polygon", clip.polygon, "the other clippers take convex windows only");
     else if (!convex)
@@ -462,7 +474,7 @@ void read_order(const Fields& fields, raster::ShapeClip& clip) {
         "top, bottom, right and left, each once, as in "
         "[\"top\", \"bottom\", \"right\", \"left\"]";
     const auto* list = std::get_if<std::vector<Value>>(&value->data);
-    if (!list || list->size() != std::size(clip.order)) return fields.refuse("order", words);
+    if (!list || list->size() != std::size(clip.order)) return refuse_list(fields, "order", words);
     for (std::size_t i = 0; i < list->size(); ++i) {
         const auto* text = std::get_if<std::string>(&(*list)[i].data);
         const auto* side = std::find_if(std::begin(sides), std::end(sides),
