@@ -1,6 +1,7 @@
 // relevo render: a scene in, a picture out.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -67,6 +68,12 @@ int render_lesson(const RenderOptions& options, const scene::LoadedScene& loaded
     const Clock::time_point start = Clock::now();
     raster::draw_shapes(loaded.shapes, picture);
     const double draw = milliseconds_since(start);
+    if (std::all_of(picture.pixels().begin(), picture.pixels().end(),
+                    [&](raster::LinearRgb p) { return p == loaded.shapes.background; }))
+        std::fprintf(stderr,
+                     "warning: %s: all pixels are background: every shape lies outside of the picture or "
+                     "the window, has no area or length, or cannot be seen\n",
+                     loaded.path.c_str());
     const auto encoded = raster::encoded(picture, loaded.settings.output);
     if (const io::Failure failure = io::write_png(output, scene::enlarged(encoded, loaded.zoom)))
         return refuse(*failure);

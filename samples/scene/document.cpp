@@ -79,7 +79,9 @@ io::Place malformed_place(std::string_view text, const std::string& path) {
 
 io::FileResult<Value> parse_document(std::string_view text, const std::string& path) {
     try {
-        return Value{{path, 1, 1}, convert_table(toml::parse(text, path), path)};
+        // Not inside of Value{...}: g++ 12 destroys a place twice when what follows it in the braces throws.
+        Table table = convert_table(toml::parse(text, path), path);
+        return Value{{path, 1, 1}, std::move(table)};
     } catch (const MalformedSomewhere&) {
         return io::FileError{malformed_place(text, path), "this is not TOML: unexpected here"};
     } catch (const toml::parse_error& error) {

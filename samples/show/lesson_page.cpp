@@ -265,6 +265,7 @@ std::string section(std::span<const LessonRecord> records, std::size_t i) {
 std::string lesson_page(const scene::LoadedScene& loaded, std::span<const LessonRecord> records,
                         const Picture& final_picture, int factor) {
     const std::string title = escaped(loaded.name) + ": lessons step by step";
+    const int times = loaded.zoom * factor;
     std::string page =
         html_head(title, style) +
         fmt::format(
@@ -279,7 +280,7 @@ std::string lesson_page(const scene::LoadedScene& loaded, std::span<const Lesson
             counted(std::int64_t(records.size()), "lesson"), loaded.width, loaded.height,
             factor > 1 ? "final-enlarged.png" : "final.png", final_picture.width() * factor,
             final_picture.height() * factor,
-            factor > 1 ? fmt::format(", {} times as large", factor) : std::string());
+            times > 1 ? fmt::format(", {} times as large", times) : std::string());
     if (!records.empty()) {
         page += "<nav aria-label=\"Lessons\"><ol>\n";
         for (const LessonRecord& r : records) page += thumbnail(r);

@@ -266,7 +266,10 @@ void show_choice(const Subject& s, LessonFrame& frame, int region, int x, int y,
 
 // Where M lies, and what follows.
 std::string midpoint_words(const Subject& s, double x, double y, std::int64_t d, EllipseChoice choice) {
-    return fmt::format("M {} lies {} the {}: {} is nearer.", s.place(s.spot(x, y)),
+    const std::string in_picture = s.place(s.spot(x, y)),
+                      from_center = fmt::format("({}, {})", decimals(x), decimals(y));
+    return fmt::format("M {}{} lies {} the {}: {} is nearer.", in_picture,
+                       in_picture == from_center ? "" : ", from the centre " + from_center + ",",
                        d < 0 ? "inside" : "outside or on", s.name("circle", "ellipse"), word_of(choice));
 }
 

@@ -249,6 +249,17 @@ TEST(BadScenes, WrongTomlIsSaidWithItsPlace) {
     EXPECT_EQ(error.find('\n'), std::string::npos);
 }
 
+// A path of 16 letters and more lives on the heap: an error on the way destroys it once.
+TEST(BadScenes, WrongTomlInAFileWithALongNameIsSaidToo) {
+    const std::string path = "a folder with a long name/and a scene with a long name.toml";
+    for (const char* text : {"x = @", "[= a]", "[[object]]\nmesh = \"cube\n"}) {
+        const auto scene = parse_scene(text, path);
+        ASSERT_FALSE(scene);
+        EXPECT_EQ(scene.error().place.file, path);
+        EXPECT_EQ(scene.error().message.substr(0, 16), "this is not TOML");
+    }
+}
+
 TEST(BadScenes, WhatTheParserOfTomlAssertsIsAnErrorToo) {
     EXPECT_EQ(error_of("# \xc3\xa4\n[image]\n[= a]\n[= b]"),
               "scene.toml:3:2: this is not TOML: unexpected here");
