@@ -402,6 +402,14 @@ class ParametricLesson {
              {}});
     }
 
+    // Where the words of a point hide neither a level side nor an arrow: farther from the window's middle.
+    Spot beyond(Spot p) const {
+        const raster::PixelBox& view = lesson.view;
+        const double away = std::max((view.x1 - view.x0) / 28.0, (view.y1 - view.y0) / 18.0);
+        const auto [low, high] = std::ranges::minmax(s_.window, {}, &glm::vec2::y);
+        return {p.x, p.y + (p.y < between(low, high).y ? -away : away)};
+    }
+
     void step(const ParameterStep& e, std::string equation, const std::string& more,
               std::vector<Mark> marks) {
         LessonFrame frame;
@@ -418,7 +426,10 @@ class ParametricLesson {
             const bool entering = e.passage == Passage::Entering;
             const Rgba8 color = entering ? visible : crossing;
             frame.stays.push_back(mark(Kind::Dot, color, {at(e.t)}));
-            frame.stays.push_back(label(at(e.t), color, "t = " + number(e.t)));
+            const glm::vec2 along = e.line.to - e.line.from;
+            const Spot place = std::abs(along.x) > std::abs(along.y) ? beyond(at(e.t)) : at(e.t);
+            (e.t < 0 || e.t > 1 ? frame.now : frame.stays)
+                .push_back(label(place, color, "t = " + number(e.t)));
         }
         frame.row = {e.side,
                      number(e.numerator),
@@ -514,7 +525,7 @@ Lesson cyrus_beck_lesson(const Subject& s, const Segment& whole) {
         "tells which, N being the side's outward normal.";
     page.lesson.source = "Cyrus and Beck 1978; textbook section 4.1.2, algorithm 4.1, figures 4.4 and 4.5";
     page.lesson.legend.push_back({Kind::Arrow, purple, "normal N of the side"});
-    page.lesson.legend.push_back({Kind::Dot, purple, "PL, a corner on it"});
+    page.lesson.legend.push_back({Kind::Dot, purple, "PL, on the side"});
     if (s.refusal) {
         refuse(page.lesson, *s.refusal);
         return std::move(page.lesson);
@@ -551,7 +562,8 @@ Lesson cyrus_beck_lesson(const Subject& s, const Segment& whole) {
                         s.words.place(from), vector(double{whole.a.x} - from.x, double{whole.a.y} - from.y),
                         vector(double{whole.b.x} - whole.a.x, double{whole.b.y} - whole.a.y)),
             {mark(Kind::Segment, purple, {spot(from), spot(to)}), mark(Kind::Arrow, purple, {middle, tip}),
-             label(tip, purple, "N"), dot(purple, from), label(spot(from), purple, "PL")});
+             label(page.beyond(tip), purple, "N"), dot(purple, from),
+             label(page.beyond(spot(from)), purple, "PL")});
     }
     page.finish(result);
     return std::move(page.lesson);
