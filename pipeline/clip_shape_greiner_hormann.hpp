@@ -20,7 +20,8 @@
 //      not overlap. Polygon in window: itself; window in polygon: the window.
 //      keep = Outside: what lies outside of it. A window in the middle of the polygon is a hole then: the
 //      rings are the polygon, and the window in the opposite winding.
-//      Polygons that cross themselves give rings, too, but what these cover is not defined.
+//      Polygons that cross or touch themselves (simple_polygon.hpp) give rings, too, but what these cover is
+//      not defined.
 // Time: every edge meets every edge of the window, n m comparisons.
 #pragma once
 #include <algorithm>
