@@ -14,6 +14,7 @@
 #include "raster/line_outline.hpp"
 #include "raster/supersample.hpp"
 #include "raster/weighted_coverage.hpp"
+#include "samples/show/lesson_marks.hpp"
 #include "samples/show/lessons.hpp"
 #include "samples/show/numbers.hpp"
 
@@ -130,18 +131,9 @@ std::optional<Subject> subject_of(const scene::LoadedScene& loaded, std::size_t 
 }
 
 // ---------------------------------------------------------------------------------------------- marks
-Mark mark(Kind kind, Rgba8 color, std::vector<Spot> points) {
-    return {kind, color, std::move(points), 0, 0, 255, {}};
-}
 Mark frame_of(Place p) { return mark(Kind::Frame, now_color, {{double(p.second), double(p.first)}}); }
 Mark cell_of(Place p, int coverage) {
-    return {Kind::Cell,
-            covered_color,
-            {{double(p.second), double(p.first)}},
-            0,
-            0,
-            static_cast<int>((std::int64_t{coverage} * 255 + full_coverage / 2) / full_coverage),
-            {}};
+    return cell(spot_of(raster::Pixel{p.second, p.first}), covered_color, level_of(coverage));
 }
 
 double share(int coverage) { return coverage / double(full_coverage); }

@@ -17,6 +17,7 @@
 #include "raster/rectangle.hpp"
 #include "raster/triangle_edge.hpp"
 #include "raster/triangle_scan.hpp"
+#include "samples/show/lesson_marks.hpp"
 #include "samples/show/lessons.hpp"
 #include "samples/show/numbers.hpp"
 
@@ -38,14 +39,6 @@ constexpr std::size_t most_labels = 16;           // edges with a name in the pi
 constexpr Rgba8 lit = sky, lit_now = yellow;
 
 // ---------------------------------------------------------------------------------------------- words
-
-// At most three decimals: "2.875", "3".
-std::string decimals(double value) {
-    std::string text = fmt::format("{:.3f}", value);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text == "-0" ? "0" : text;
-}
 
 Spot spot_of(const SnappedPoint& p) { return {(p.x - 128) / 256.0, (p.y - 128) / 256.0}; }
 
@@ -72,13 +65,7 @@ std::string rule_in_words(FillRule rule) {
 }
 
 Mark cell(int x, int y, Rgba8 color, int level = 255) {
-    return {Kind::Cell, color, {{double(x), double(y)}}, 0, 0, level, {}};
-}
-Mark mark(Kind kind, Rgba8 color, std::vector<Spot> points) {
-    return {kind, color, std::move(points), 0, 0, 255, {}};
-}
-Mark label(Spot at, Rgba8 color, std::string text) {
-    return {Kind::Text, color, {at}, 0, 0, 255, std::move(text)};
+    return show::cell(show::spot_of(raster::Pixel{x, y}), color, level);
 }
 Spot middle_of(Spot a, Spot b) { return {(a.x + b.x) / 2, (a.y + b.y) / 2}; }
 

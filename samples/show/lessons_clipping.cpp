@@ -19,6 +19,7 @@
 #include "pipeline/clip_shape_pipeline.hpp"
 #include "pipeline/clip_shape_sutherland_hodgman.hpp"
 #include "pipeline/split_bridges.hpp"
+#include "samples/show/lesson_marks.hpp"
 #include "samples/show/lessons.hpp"
 #include "samples/show/numbers.hpp"
 
@@ -50,18 +51,12 @@ std::vector<Spot> spots(std::span<const glm::vec2> points) {
     for (const glm::vec2& p : points) out.push_back(spot(p));
     return out;
 }
-Mark mark(Kind kind, Rgba8 color, std::vector<Spot> points) {
-    return {kind, color, std::move(points), 0, 0, 255, {}};
-}
 Mark dot(Rgba8 color, const glm::vec2& p) { return mark(Kind::Dot, color, {spot(p)}); }
 Mark segment(Rgba8 color, const glm::vec2& a, const glm::vec2& b) {
     return mark(Kind::Segment, color, {spot(a), spot(b)});
 }
 Mark outline(Rgba8 color, std::span<const glm::vec2> ring) { return mark(Kind::Outline, color, spots(ring)); }
 Mark area(Rgba8 color, std::span<const glm::vec2> ring) { return mark(Kind::Area, color, spots(ring)); }
-Mark label(Spot at, Rgba8 color, std::string words) {
-    return {Kind::Text, color, {at}, 0, 0, 255, std::move(words)};
-}
 Spot between(const glm::vec2& a, const glm::vec2& b) {
     return {(double{a.x} + b.x) / 2, (double{a.y} + b.y) / 2};
 }

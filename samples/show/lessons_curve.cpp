@@ -17,6 +17,7 @@
 #include "raster/disc.hpp"
 #include "raster/ellipse_second_order.hpp"
 #include "raster/ellipse_textbook.hpp"
+#include "samples/show/lesson_marks.hpp"
 #include "samples/show/lessons.hpp"
 #include "samples/show/numbers.hpp"
 
@@ -41,14 +42,6 @@ constexpr int mirrored_level = 90, discarded_level = 130, computed_level = 255;
 
 // ---------------------------------------------------------------------------------------------- words
 
-// At most three decimals: "2.875", "3".
-std::string decimals(double value) {
-    std::string text = fmt::format("{:.3f}", value);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text == "-0" ? "0" : text;
-}
-
 const char* word_of(EllipseChoice choice) {
     constexpr std::array<const char*, 3> words{"E", "SE", "S"};
     return words[static_cast<std::size_t>(choice)];
@@ -65,15 +58,6 @@ std::string decision(std::int64_t d, const char* choice) {
 }
 
 // ---------------------------------------------------------------------------------------------- marks
-
-Spot spot_of(Pixel p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
-Mark cell(Spot at, Rgba8 color, int level = 255) { return {Kind::Cell, color, {at}, 0, 0, level, {}}; }
-Mark mark(Kind kind, Rgba8 color, std::vector<Spot> points) {
-    return {kind, color, std::move(points), 0, 0, 255, {}};
-}
-Mark label(Spot at, Rgba8 color, std::string text) {
-    return {Kind::Text, color, {at}, 0, 0, 255, std::move(text)};
-}
 
 // ------------------------------------------------------------------------------------- what is told
 
@@ -826,7 +810,7 @@ Lesson coverage_lesson(const Subject& s) {
         std::int64_t covered = row.whole * raster::full_coverage;
         for (const auto& [x, coverage] : row.edge) {
             covered += coverage;
-            story.light(frame, {x, row.y}, (coverage * 255 + 32768) / raster::full_coverage);
+            story.light(frame, {x, row.y}, level_of(coverage));
             frame.now.push_back(mark(Kind::Frame, point_color, {spot_of({x, row.y})}));
         }
         sum += double(covered) / raster::full_coverage;

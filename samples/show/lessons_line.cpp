@@ -18,6 +18,7 @@
 #include "raster/line_outline.hpp"
 #include "raster/line_weight.hpp"
 #include "raster/line_wu.hpp"
+#include "samples/show/lesson_marks.hpp"
 #include "samples/show/lessons.hpp"
 #include "samples/show/numbers.hpp"
 
@@ -40,14 +41,6 @@ constexpr Rgba8 lit = sky, lit_now = yellow, straight_color = orange, diagonal_c
 
 // ---------------------------------------------------------------------------------------------- words
 
-// At most so many decimals: "2.875", "3".
-std::string decimals(double value, int most = 3) {
-    std::string text = fmt::format("{:.{}f}", value, most);
-    if (text.find('.') != std::string::npos) text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text == "-0" ? "0" : text;
-}
-
 // Places in the words of the scene file.
 struct Words {
     const scene::LessonAxes& axes;
@@ -66,16 +59,8 @@ std::string signed_term(std::int64_t value) {  // "+ 6", "- 8"
 
 // ---------------------------------------------------------------------------------------------- marks
 
-Spot spot_of(Pixel p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+using show::spot_of;
 Spot spot_of(raster::GridPoint p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
-Mark cell(Spot at, Rgba8 color, int level = 255) { return {Kind::Cell, color, {at}, 0, 0, level, {}}; }
-Mark mark(Kind kind, Rgba8 color, std::vector<Spot> points) {
-    return {kind, color, std::move(points), 0, 0, 255, {}};
-}
-Mark label(Spot at, Rgba8 color, std::string text) {
-    return {Kind::Text, color, {at}, 0, 0, 255, std::move(text)};
-}
-int level_of(int coverage) { return (coverage * 255 + full_coverage / 2) / full_coverage; }
 
 // ------------------------------------------------------------------------------------- what is told
 

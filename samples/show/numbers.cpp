@@ -16,6 +16,13 @@ std::string number(double value) {
     return digits.substr(0, exponent + 1) + std::to_string(std::stoi(digits.substr(exponent + 1)));
 }
 
+std::string decimals(double value, int most) {
+    std::string text = fmt::format("{:.{}f}", value, most);
+    if (text.find('.') != std::string::npos) text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text == "-0" ? "0" : text;
+}
+
 std::string grouped(std::int64_t count) {
     std::string digits = std::to_string(count);
     const int first = count < 0 ? 1 : 0;
