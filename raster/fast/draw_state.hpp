@@ -1,0 +1,116 @@
+// What the stages of the fast path hand to each other. No algorithm here; plain arrays only, because the
+// stages are compiled once for each instruction set.
+//
+//   mesh --transform--> window, carried --bin--> lists of each tile --tile--> depth, visible --shade-->
+//   colour
+//
+// A triangle is known by one number, its `id`:
+//   0 .. 2^31-1             primitive: the number of a triangle over all models in their order
+//   2^31 + chunk, index     piece: what clipping made of one (bits 25..30: chunk, bits 0..24: index in it)
+//   2^32-1                  nothing: the background
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "pipeline/cull.hpp"
+#include "pipeline/mesh.hpp"
+#include "pipeline/transform.hpp"
+#include "pipeline/viewport.hpp"
+#include "raster/depth.hpp"
+#include "raster/events.hpp"
+#include "raster/scene.hpp"
+#include "raster/shading.hpp"
+
+namespace relevo::raster::fast {
+
+using pipeline::Facing;
+using pipeline::Scalar;
+using pipeline::SnappedCorner;
+
+inline constexpr std::uint32_t nothing = 0xffffffffu, piece_bit = 0x80000000u;
+inline constexpr int piece_index_bits = 25, max_chunks = 64;
+inline constexpr std::uint32_t max_chunk_triangles = 1u << 20;  // at most 30 pieces each: fits 25 bits
+inline constexpr int max_carried = 8;                           // numbers that a corner carries at most
+
+// One model in one shading program. `window` and `carried` have an entry for each vertex:
+//
+//   window   x y z rw | x y z rw | ...     16 bytes a vertex; a vertex with a clip code has rw = 0 and x =
+//   code carried  a0 .. a3 [a4 .. a7] | ...     `stride` floats a vertex (0, 4 or 8), of which `size` count:
+//                                          raster/shading.hpp's corner(), towards the front
+struct ModelState {
+    std::span<const pipeline::Vertex> vertices;
+    std::span<const std::uint32_t> indices;
+    std::uint32_t first_primitive = 0, triangles = 0;
+    pipeline::RoundedAffine<pipeline::Eye, pipeline::Object> eye_from_object;
+    pipeline::RoundedProjective<pipeline::Clip, pipeline::Object> clip_from_object;
+    pipeline::NormalMap<pipeline::Eye, pipeline::Object> normal_map;
+    bool mirrored = false;
+    bool both_sides = false;  // back faces are drawn and lit by their own normals
+    Surface surface;
+    Shading shading = Shading::Unlit;
+    bool textured = false;
+    int size = 0, stride = 0;
+    SnappedCorner* window = nullptr;
+    Scalar* carried = nullptr;
+};
+
+// A piece of a clipped triangle, in the order of its polygon's fan; `carried` already belongs to the side
+// that is seen.
+struct Piece {
+    SnappedCorner window[3];
+    Scalar carried[3][max_carried];
+    std::uint32_t primitive, model;
+};
+
+// Everything about a picture that the stages read.
+struct DrawState {
+    std::span<const ModelState> models;
+    std::span<const std::span<const Piece>> pieces;  // of each chunk
+    Settings settings;
+    pipeline::Viewport viewport{};
+    int tile = 64;  // pixels a side: 32, 64 or 128
+    int tiles_across = 0, tiles_down = 0;
+    pipeline::LinearRgb background;
+    Rgba8 background8;
+    Rgba8* color = nullptr;  // rows of viewport.width pixels
+    Scalar* depth = nullptr;
+    pipeline::LinearRgb* linear = nullptr;  // null: nobody asked
+    std::uint32_t* visible = nullptr;       // primitive of each pixel; null: nobody asked
+};
+
+inline const Piece& piece(const DrawState& draw, std::uint32_t id) {
+    const std::uint32_t chunk = (id & ~piece_bit) >> piece_index_bits;
+    return draw.pieces[chunk][id & ((1u << piece_index_bits) - 1)];
+}
+inline std::uint32_t primitive_of(const DrawState& draw, std::uint32_t id) {
+    return id & piece_bit ? piece(draw, id).primitive : id;
+}
+// Whether triangle `a` is drawn before `b`: at equal depth it is seen.
+inline bool is_before(const DrawState& draw, std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t p = primitive_of(draw, a), q = primitive_of(draw, b);
+    return p != q ? p < q : a < b;
+}
+inline std::uint32_t model_of(const DrawState& draw, std::uint32_t primitive) {
+    std::uint32_t m = static_cast<std::uint32_t>(draw.models.size()) - 1;
+    while (m > 0 && primitive < draw.models[m].first_primitive) --m;
+    return m;
+}
+
+// The memory of one tile, of one worker. Rows are `stride` long: a register may reach past the tile's end.
+//
+//   nearness  of each pixel: its depth, with the sign turned when forward depth is drawn: greater is nearer
+//   visible   of each pixel: the id of the triangle that is seen
+//   color     of each pixel: filled by shading
+struct TileMemory {
+    int stride = 0;
+    Scalar* nearness = nullptr;
+    std::uint32_t* visible = nullptr;
+    std::uint32_t* color = nullptr;
+};
+
+// How many of each; the same as a probe counts on the textbook path.
+struct Counts {
+    std::uint64_t vertices = 0, triangles = 0, rejected[5] = {}, clipped = 0, shaded_pixels = 0;
+};
+
+}  // namespace relevo::raster::fast

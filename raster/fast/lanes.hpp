@@ -1,0 +1,216 @@
+// N numbers side by side: pipeline/lane.hpp's words for a whole vector register, by Google Highway.
+//
+//   Floats   f0 f1 f2 ... fN-1                 N = 4 (SSE4), 8 (AVX2), 16 (AVX-512)
+//   Ints     i0 i1 i2 ... iN-1
+//   Doubles  d0 ... dN/2-1 | dN/2 ... dN-1     two registers: low and high half of the lanes
+//   Bools    one truth a lane
+//
+// Every operation rounds each lane as the plain number's would: no fused multiply-add, no approximation.
+// A source file that includes this is compiled for one instruction set; all that is here, and all that is
+// made from it, lives in a namespace of that instruction set, so that the linker cannot mix them up.
+#pragma once
+#include <hwy/cache_control.h>
+#include <hwy/highway.h>
+
+#include <bit>
+
+#include "pipeline/color.hpp"
+#include "pipeline/lane.hpp"
+
+namespace relevo::raster::fast::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+#define RELEVO_LANE [[gnu::always_inline]] inline
+
+using TagF = hn::ScalableTag<float>;
+using TagI = hn::ScalableTag<std::int32_t>;
+using TagU = hn::ScalableTag<std::uint32_t>;
+using TagD = hn::ScalableTag<double>;
+using TagU64 = hn::ScalableTag<std::uint64_t>;
+using HalfF = hn::Half<TagF>;
+using HalfI = hn::Half<TagI>;
+
+inline constexpr int lanes = static_cast<int>(HWY_LANES(float));
+
+struct Bools {
+    hn::Mask<TagF> m;
+};
+struct Ints {
+    hn::Vec<TagI> v;
+    Ints() = default;
+    RELEVO_LANE explicit Ints(hn::Vec<TagI> raw) : v(raw) {}
+    RELEVO_LANE Ints(std::int32_t all_lanes) : v(hn::Set(TagI(), all_lanes)) {}
+};
+struct Floats {
+    hn::Vec<TagF> v;
+    Floats() = default;
+    RELEVO_LANE explicit Floats(hn::Vec<TagF> raw) : v(raw) {}
+    RELEVO_LANE Floats(float all_lanes) : v(hn::Set(TagF(), all_lanes)) {}
+};
+struct Doubles {
+    hn::Vec<TagD> low, high;
+    Doubles() = default;
+    RELEVO_LANE Doubles(hn::Vec<TagD> l, hn::Vec<TagD> h) : low(l), high(h) {}
+    RELEVO_LANE Doubles(double all_lanes) : low(hn::Set(TagD(), all_lanes)), high(low) {}
+};
+
+// ------------------------------------------------------------------------------------------------ truths
+RELEVO_LANE Bools operator&(Bools a, Bools b) { return {hn::And(a.m, b.m)}; }
+RELEVO_LANE Bools operator|(Bools a, Bools b) { return {hn::Or(a.m, b.m)}; }
+RELEVO_LANE Bools operator&&(Bools a, Bools b) { return a & b; }
+RELEVO_LANE Bools operator||(Bools a, Bools b) { return a | b; }
+RELEVO_LANE Bools operator!(Bools a) { return {hn::Not(a.m)}; }
+RELEVO_LANE bool any(Bools a) { return !hn::AllFalse(TagF(), a.m); }
+RELEVO_LANE bool all(Bools a) { return hn::AllTrue(TagF(), a.m); }
+RELEVO_LANE int count(Bools a) { return static_cast<int>(hn::CountTrue(TagF(), a.m)); }
+// Bit k tells lane k.
+RELEVO_LANE std::uint32_t bits(Bools a) {
+    alignas(8) std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(TagF(), a.m, bytes);
+    return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8;
+}
+RELEVO_LANE Bools first_lanes(int n) { return {hn::FirstN(TagF(), static_cast<std::size_t>(n))}; }
+RELEVO_LANE hn::Mask<TagI> int_mask(Bools a) { return hn::RebindMask(TagI(), a.m); }
+RELEVO_LANE Bools float_mask(hn::Mask<TagI> m) { return {hn::RebindMask(TagF(), m)}; }
+
+// ------------------------------------------------------------------------------------------------ floats
+RELEVO_LANE Floats operator+(Floats a, Floats b) { return Floats(hn::Add(a.v, b.v)); }
+RELEVO_LANE Floats operator-(Floats a, Floats b) { return Floats(hn::Sub(a.v, b.v)); }
+RELEVO_LANE Floats operator*(Floats a, Floats b) { return Floats(hn::Mul(a.v, b.v)); }
+RELEVO_LANE Floats operator/(Floats a, Floats b) { return Floats(hn::Div(a.v, b.v)); }
+RELEVO_LANE Floats operator-(Floats a) { return Floats(hn::Neg(a.v)); }
+RELEVO_LANE Bools operator>(Floats a, Floats b) { return {hn::Gt(a.v, b.v)}; }
+RELEVO_LANE Bools operator<(Floats a, Floats b) { return {hn::Lt(a.v, b.v)}; }
+RELEVO_LANE Bools operator>=(Floats a, Floats b) { return {hn::Ge(a.v, b.v)}; }
+RELEVO_LANE Bools operator<=(Floats a, Floats b) { return {hn::Le(a.v, b.v)}; }
+RELEVO_LANE Bools operator==(Floats a, Floats b) { return {hn::Eq(a.v, b.v)}; }
+RELEVO_LANE Floats sqrt(Floats a) { return Floats(hn::Sqrt(a.v)); }
+RELEVO_LANE Floats floor(Floats a) { return Floats(hn::Floor(a.v)); }
+RELEVO_LANE Floats select(Bools mask, Floats yes, Floats no) {
+    return Floats(hn::IfThenElse(mask.m, yes.v, no.v));
+}
+
+// ------------------------------------------------------------------------------------------------ integers
+RELEVO_LANE Ints operator+(Ints a, Ints b) { return Ints(hn::Add(a.v, b.v)); }
+RELEVO_LANE Ints operator-(Ints a, Ints b) { return Ints(hn::Sub(a.v, b.v)); }
+RELEVO_LANE Ints operator*(Ints a, Ints b) { return Ints(hn::Mul(a.v, b.v)); }
+RELEVO_LANE Ints operator&(Ints a, Ints b) { return Ints(hn::And(a.v, b.v)); }
+RELEVO_LANE Ints operator|(Ints a, Ints b) { return Ints(hn::Or(a.v, b.v)); }
+RELEVO_LANE Ints operator^(Ints a, Ints b) { return Ints(hn::Xor(a.v, b.v)); }
+template <int by>
+RELEVO_LANE Ints shift_left(Ints a) {
+    return Ints(hn::ShiftLeft<by>(a.v));
+}
+// The sign comes along, as >> of a plain int does.
+template <int by>
+RELEVO_LANE Ints shift_right(Ints a) {
+    return Ints(hn::ShiftRight<by>(a.v));
+}
+RELEVO_LANE Bools operator>(Ints a, Ints b) { return float_mask(hn::Gt(a.v, b.v)); }
+RELEVO_LANE Bools operator<(Ints a, Ints b) { return float_mask(hn::Lt(a.v, b.v)); }
+RELEVO_LANE Bools operator==(Ints a, Ints b) { return float_mask(hn::Eq(a.v, b.v)); }
+RELEVO_LANE Ints min(Ints a, Ints b) { return Ints(hn::Min(a.v, b.v)); }
+RELEVO_LANE Ints max(Ints a, Ints b) { return Ints(hn::Max(a.v, b.v)); }
+RELEVO_LANE Ints select(Bools mask, Ints yes, Ints no) {
+    return Ints(hn::IfThenElse(int_mask(mask), yes.v, no.v));
+}
+RELEVO_LANE Bools is_negative(Ints a) { return a < Ints(0); }
+RELEVO_LANE Ints lane_numbers() { return Ints(hn::Iota(TagI(), 0)); }  // 0 1 2 ... N-1
+
+// ------------------------------------------------------------------------------------------------ doubles
+RELEVO_LANE Doubles operator+(Doubles a, Doubles b) {
+    return {hn::Add(a.low, b.low), hn::Add(a.high, b.high)};
+}
+RELEVO_LANE Doubles operator-(Doubles a, Doubles b) {
+    return {hn::Sub(a.low, b.low), hn::Sub(a.high, b.high)};
+}
+RELEVO_LANE Doubles operator*(Doubles a, Doubles b) {
+    return {hn::Mul(a.low, b.low), hn::Mul(a.high, b.high)};
+}
+RELEVO_LANE Doubles operator/(Doubles a, Doubles b) {
+    return {hn::Div(a.low, b.low), hn::Div(a.high, b.high)};
+}
+RELEVO_LANE Doubles round_to_even(Doubles a) { return {hn::Round(a.low), hn::Round(a.high)}; }
+RELEVO_LANE Doubles select(Bools mask, Doubles yes, Doubles no) {
+    // each lane's truth, twice as wide
+    const auto wide = hn::VecFromMask(TagI(), int_mask(mask));
+    const hn::ScalableTag<std::int64_t> tag;
+    const auto low = hn::MaskFromVec(hn::BitCast(TagD(), hn::PromoteTo(tag, hn::LowerHalf(wide))));
+    const auto high = hn::MaskFromVec(hn::BitCast(TagD(), hn::PromoteTo(tag, hn::UpperHalf(HalfI(), wide))));
+    return {hn::IfThenElse(low, yes.low, no.low), hn::IfThenElse(high, yes.high, no.high)};
+}
+// The upper 32 bits of each lane: sign, exponent and the first digits.
+RELEVO_LANE Ints upper_words(Doubles a) {
+    return Ints(hn::ConcatOdd(TagI(), hn::BitCast(TagI(), a.high), hn::BitCast(TagI(), a.low)));
+}
+RELEVO_LANE Bools is_negative(Doubles a) { return is_negative(upper_words(a)); }  // -0, too
+RELEVO_LANE Bools operator>(Doubles a, Doubles b) { return is_negative(b - a); }
+RELEVO_LANE Bools operator<(Doubles a, Doubles b) { return is_negative(a - b); }
+
+// ------------------------------------------------------------------------------------------- conversions
+RELEVO_LANE Doubles to_wide(Floats a) {
+    return {hn::PromoteTo(TagD(), hn::LowerHalf(HalfF(), a.v)),
+            hn::PromoteTo(TagD(), hn::UpperHalf(HalfF(), a.v))};
+}
+RELEVO_LANE Doubles to_wide(Ints a) {
+    return {hn::PromoteTo(TagD(), hn::LowerHalf(HalfI(), a.v)),
+            hn::PromoteTo(TagD(), hn::UpperHalf(HalfI(), a.v))};
+}
+RELEVO_LANE Floats rounded(Doubles a) {
+    return Floats(hn::Combine(TagF(), hn::DemoteTo(HalfF(), a.high), hn::DemoteTo(HalfF(), a.low)));
+}
+RELEVO_LANE Ints truncated(Doubles a) {  // of numbers within int32
+    return Ints(hn::Combine(TagI(), hn::DemoteTo(HalfI(), a.high), hn::DemoteTo(HalfI(), a.low)));
+}
+RELEVO_LANE Ints truncated(Floats a) { return Ints(hn::ConvertTo(TagI(), a.v)); }
+RELEVO_LANE Floats to_real(Ints a) { return Floats(hn::ConvertTo(TagF(), a.v)); }
+RELEVO_LANE Ints float_bits(Floats a) { return Ints(hn::BitCast(TagI(), a.v)); }
+RELEVO_LANE Floats bits_float(Ints a) { return Floats(hn::BitCast(TagF(), a.v)); }
+
+// ------------------------------------------------------------------------------------------------ memory
+// Of N values in a row; `aligned` ones stand on a multiple of the register's size.
+RELEVO_LANE Floats load(const float* p) { return Floats(hn::LoadU(TagF(), p)); }
+RELEVO_LANE Ints load(const std::int32_t* p) { return Ints(hn::LoadU(TagI(), p)); }
+RELEVO_LANE Ints load(const std::uint32_t* p) { return Ints(hn::BitCast(TagI(), hn::LoadU(TagU(), p))); }
+RELEVO_LANE void store(Floats a, float* p) { hn::StoreU(a.v, TagF(), p); }
+RELEVO_LANE void store(Ints a, std::int32_t* p) { hn::StoreU(a.v, TagI(), p); }
+RELEVO_LANE void store(Ints a, std::uint32_t* p) { hn::StoreU(hn::BitCast(TagU(), a.v), TagU(), p); }
+RELEVO_LANE void store(Doubles a, double* p) {
+    hn::StoreU(a.low, TagD(), p);
+    hn::StoreU(a.high, TagD(), p + lanes / 2);
+}
+// Past the caches, to a multiple of the register's size.
+RELEVO_LANE void stream(Floats a, float* p) { hn::Stream(a.v, TagF(), p); }
+RELEVO_LANE void stream(Ints a, std::uint32_t* p) { hn::Stream(hn::BitCast(TagU(), a.v), TagU(), p); }
+// base[index] of each lane, index >= 0.
+RELEVO_LANE Floats gather(const float* base, Ints index) {
+    return Floats(hn::GatherIndex(TagF(), base, index.v));
+}
+RELEVO_LANE Ints gather(const std::int32_t* base, Ints index) {
+    return Ints(hn::GatherIndex(TagI(), base, index.v));
+}
+RELEVO_LANE Ints gather(const std::uint32_t* base, Ints index) {
+    return gather(reinterpret_cast<const std::int32_t*>(base), index);
+}
+
+// f of each lane, one after the other: for the rare formula that is only written for one.
+template <class F>
+RELEVO_LANE Floats each_lane(F&& f, Floats x) {
+    alignas(64) float lane[lanes];
+    store(x, lane);
+    for (float& value : lane) value = f(value);
+    return load(lane);
+}
+
+}  // namespace relevo::raster::fast::HWY_NAMESPACE
+
+namespace relevo::pipeline {
+
+template <>
+struct LaneTypes<raster::fast::HWY_NAMESPACE::Floats> {
+    using Mask = raster::fast::HWY_NAMESPACE::Bools;
+    using Wide = raster::fast::HWY_NAMESPACE::Doubles;
+    using Whole = raster::fast::HWY_NAMESPACE::Ints;
+};
+
+}  // namespace relevo::pipeline
