@@ -44,12 +44,16 @@ enum class Shading {
     Phong,    // one a pixel, the normals interpolated
 };
 
+// The way through the machine (raster/path.hpp); it never changes a pixel.
+enum class Path { Auto, Fast, Textbook };
+
 struct Settings {
     Shading shading = Shading::Phong;
     Filter texture_filter = Filter::Bilinear;
     DepthFormat depth = DepthFormat::Float32Reversed;
     pipeline::Cull cull = pipeline::Cull::Back;
     Output output = Output::Srgb;
+    Path path = Path::Auto;
 };
 
 // The pictures that draw() fills. `linear` is filled only when it has a size: the float picture exists when
