@@ -1,5 +1,6 @@
 // What the machine draws, and how: the vocabulary of raster/draw.hpp. No algorithm here.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "pipeline/color.hpp"
@@ -13,6 +14,10 @@
 #include "raster/texture.hpp"
 
 namespace relevo::raster {
+
+namespace fast {
+enum class InstructionSet;  // raster/fast/draw_fast.hpp
+}
 
 // A mesh placed in the world. The mesh and the texture are borrowed: they must outlive the model.
 struct Model {
@@ -54,6 +59,7 @@ struct Settings {
     pipeline::Cull cull = pipeline::Cull::Back;
     Output output = Output::Srgb;
     Path path = Path::Auto;
+    std::optional<fast::InstructionSet> instruction_set;  // of the fast path; none: the widest there is
 };
 
 // The pictures that draw() fills. `linear` is filled only when it has a size: the float picture exists when
