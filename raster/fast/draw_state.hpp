@@ -18,6 +18,7 @@
 #include "pipeline/viewport.hpp"
 #include "raster/depth.hpp"
 #include "raster/events.hpp"
+#include "raster/model_setup.hpp"
 #include "raster/scene.hpp"
 #include "raster/shading.hpp"
 
@@ -40,13 +41,8 @@ inline constexpr int max_carried = 8;                           // numbers that 
 struct ModelState {
     std::span<const pipeline::Vertex> vertices;
     std::span<const std::uint32_t> indices;
-    std::uint32_t first_primitive = 0, triangles = 0;
-    pipeline::RoundedAffine<pipeline::Eye, pipeline::Object> eye_from_object;
-    pipeline::RoundedProjective<pipeline::Clip, pipeline::Object> clip_from_object;
-    pipeline::NormalMap<pipeline::Eye, pipeline::Object> normal_map;
-    bool mirrored = false;
-    bool both_sides = false;  // back faces are drawn and lit by their own normals
-    Surface surface;
+    std::uint32_t number = 0, first_primitive = 0, triangles = 0;
+    ModelSetup setup;
     Shading shading = Shading::Unlit;
     bool textured = false;
     int size = 0, stride = 0;

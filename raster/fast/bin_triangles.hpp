@@ -1,0 +1,123 @@
+// Stage 2 of the fast path: N triangles at a time are culled and listed in the tiles that their boxes touch.
+//
+//   indices  i0 i1 i2 | i0 i1 i2 | ...   -> corners of `batch` triangles, copied side by side:
+//   staged   [corner 0] x y z rw | x y z rw | ...     [corner 1] ...     [corner 2] ...
+//   lanes    area, facing, box (cut to the picture)   -> ids in the tiles' lists, in the order of the
+//   triangles
+//
+// Dropped here, by proof: what faces the wrong way, has no area, holds no pixel centre in its box, or holds a
+// single one that it does not cover. Nothing is kept of a triangle but its number: computing its set-up again
+// costs less than writing and reading it.
+#pragma once
+#include "raster/fast/bins.hpp"
+#include "raster/fast/corners.hpp"
+
+namespace relevo::raster::fast::HWY_NAMESPACE {
+
+inline constexpr int bin_batch = 64;
+struct StagedCorners {
+    alignas(64) SnappedCorner corner[3][bin_batch + 16];
+};
+
+RELEVO_LANE Ints shift_right_by(Ints a, int by) { return Ints(hn::ShiftRightSame(a.v, by)); }
+
+// Whether the only centre in the box (pixel x, y) is covered, for extents below max_small_extent.
+RELEVO_LANE Bools covers_centre(const LaneCorner& a, const LaneCorner& b, const LaneCorner& c, Bools negative,
+                                Ints x, Ints y) {
+    const LaneCorner p = a, q = select(negative, c, b), r = select(negative, b, c);  // positive area
+    const Ints px = shift_left<8>(x) + Ints(128), py = shift_left<8>(y) + Ints(128);
+    const auto inside = [&](const LaneCorner& s, const LaneCorner& t) {
+        const Ints dx = t.x - s.x, dy = t.y - s.y;
+        const Ints value = dx * (py - s.y) - dy * (px - s.x);
+        const Bools top_left = is_negative(dy) | ((dy == Ints(0)) & (dx > Ints(0)));
+        return !is_negative(select(top_left, value, value - Ints(1)));
+    };
+    return inside(p, q) & inside(q, r) & inside(r, p);
+}
+
+RELEVO_LANE void bin_group(const DrawState& draw, Chunk& chunk, const ModelState& model,
+                           const SnappedCorner* corner0, const SnappedCorner* corner1,
+                           const SnappedCorner* corner2, std::uint32_t primitive, int count_in_group,
+                           int tile_bits) {
+    const LaneCorner a = load_corners(corner0), b = load_corners(corner1), c = load_corners(corner2);
+    const Bools valid = first_lanes(count_in_group);
+    const Bools coded = (a.rw == Floats(0.f) | b.rw == Floats(0.f) | c.rw == Floats(0.f)) & valid;
+
+    const Ints left = min(a.x, min(b.x, c.x)), right = max(a.x, max(b.x, c.x));
+    const Ints top = min(a.y, min(b.y, c.y)), bottom = max(a.y, max(b.y, c.y));
+    const Doubles area = area2(a, b, c);
+    const Ints upper = upper_words(area);  // all 0 but the sign for an area of 0 or -0, else |area| >= 1
+    const Bools zero = shift_left<1>(upper) == Ints(0), negative = is_negative(upper);
+
+    const Ints x0 = max(shift_right<8>(left + Ints(127)), Ints(0)),
+               y0 = max(shift_right<8>(top + Ints(127)), Ints(0)),
+               x1 = min(shift_right<8>(right - Ints(128)), Ints(draw.viewport.width - 1)),
+               y1 = min(shift_right<8>(bottom - Ints(128)), Ints(draw.viewport.height - 1));
+    const Bools no_pixel = x0 > x1 | y0 > y1;
+
+    const Bools drawable = valid & !coded;
+    const Bools front = model.setup.mirrored ? !negative : negative;
+    Bools culled{};
+    switch (draw.settings.cull) {
+        case pipeline::Cull::None:
+            culled = first_lanes(0);
+            break;
+        case pipeline::Cull::Back:
+            culled = drawable & !zero & !front;
+            break;
+        case pipeline::Cull::Front:
+            culled = drawable & !zero & front;
+            break;
+    }
+    const Bools flat = drawable & zero, empty = drawable & !zero & !culled & no_pixel;
+    chunk.counts.rejected[static_cast<int>(Rejection::ZeroArea)] += static_cast<unsigned>(count(flat));
+    chunk.counts.rejected[static_cast<int>(Rejection::Culled)] += static_cast<unsigned>(count(culled));
+    chunk.counts.rejected[static_cast<int>(Rejection::NoPixel)] += static_cast<unsigned>(count(empty));
+
+    Bools drawn = drawable & !(flat | culled | empty);
+    const Bools small = max(right - left, bottom - top) < Ints(max_small_extent);
+    const Bools single = drawn & small & (x0 == x1) & (y0 == y1);
+    if (any(single)) drawn = drawn & !(single & !covers_centre(a, b, c, negative, x0, y0));
+
+    const std::uint32_t coded_bits = bits(coded);
+    std::uint32_t left_to_do = bits(drawn) | coded_bits;
+    if (left_to_do == 0) return;
+    alignas(64) std::int32_t tile_x0[lanes], tile_y0[lanes], tile_x1[lanes], tile_y1[lanes];
+    store(shift_right_by(x0, tile_bits), tile_x0);
+    store(shift_right_by(y0, tile_bits), tile_y0);
+    store(shift_right_by(x1, tile_bits), tile_x1);
+    store(shift_right_by(y1, tile_bits), tile_y1);
+    for (; left_to_do != 0; left_to_do &= left_to_do - 1) {
+        const int k = std::countr_zero(left_to_do);
+        const std::uint32_t id = primitive + static_cast<std::uint32_t>(k);
+        if (coded_bits >> k & 1)
+            clip_into_bins(draw, chunk, model, id);
+        else if (tile_x0[k] == tile_x1[k] && tile_y0[k] == tile_y1[k])
+            append(chunk, tile_y0[k] * draw.tiles_across + tile_x0[k], id);
+        else
+            append(draw, chunk, id, tile_x0[k], tile_y0[k], tile_x1[k], tile_y1[k]);
+    }
+}
+
+RELEVO_LANE void bin_triangles(const DrawState& draw, Chunk& chunk) {
+    const int tile_bits = std::countr_zero(static_cast<unsigned>(draw.tile));
+    StagedCorners staged;
+    for (const ModelState& model : draw.models) {
+        const std::uint32_t first = std::max(chunk.first, model.first_primitive),
+                            last = std::min(chunk.last, model.first_primitive + model.triangles);
+        for (std::uint32_t primitive = first; primitive < last; primitive += bin_batch) {
+            const int in_batch = static_cast<int>(std::min<std::uint32_t>(bin_batch, last - primitive));
+            const std::uint32_t* index = &model.indices[3 * (std::size_t{primitive} - model.first_primitive)];
+            for (int k = 0; k < in_batch; ++k, index += 3)
+                for (int corner = 0; corner < 3; ++corner)
+                    copy_corner(model.window[index[corner]], staged.corner[corner][k]);
+            for (int k = 0; k < in_batch; k += lanes)
+                bin_group(draw, chunk, model, &staged.corner[0][k], &staged.corner[1][k],
+                          &staged.corner[2][k], primitive + static_cast<std::uint32_t>(k),
+                          std::min(lanes, in_batch - k), tile_bits);
+        }
+        if (last > first) chunk.counts.triangles += last - first;
+    }
+}
+
+}  // namespace relevo::raster::fast::HWY_NAMESPACE

@@ -1,0 +1,396 @@
+#include "raster/fast/draw_fast.hpp"
+
+#include <hwy/targets.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstdlib>
+#include <vector>
+
+#include "raster/clip_triangle.hpp"
+#include "raster/fast/bins.hpp"
+#include "raster/fast/stages.hpp"
+#include "raster/fast/workers.hpp"
+#include "raster/image.hpp"
+#include "raster/model_setup.hpp"
+#include "raster/triangle_edge.hpp"
+
+namespace relevo::raster::fast {
+namespace {
+
+// Memory that grows, is never cleared and starts on a cache line.
+template <class T>
+class Buffer {
+  public:
+    T* room_for(std::size_t count) {
+        if (count > capacity_) {
+            memory_.reset(static_cast<T*>(std::aligned_alloc(64, (count * sizeof(T) + 63) / 64 * 64)));
+            if (memory_ == nullptr) std::abort();
+            capacity_ = count;
+        }
+        return memory_.get();
+    }
+    // The same, and what is there stays.
+    T* grow(std::size_t count) {
+        if (count <= capacity_) return memory_.get();
+        Buffer larger;
+        larger.room_for(count);
+        if (capacity_ > 0) std::copy_n(memory_.get(), capacity_, larger.memory_.get());
+        std::swap(*this, larger);
+        return memory_.get();
+    }
+    std::size_t capacity() const { return capacity_; }
+    std::size_t bytes() const { return capacity_ * sizeof(T); }
+
+  private:
+    struct Free {
+        void operator()(T* p) const { std::free(p); }
+    };
+    std::unique_ptr<T, Free> memory_;
+    std::size_t capacity_ = 0;
+};
+
+struct ModelMemory {
+    Buffer<SnappedCorner> window;
+    Buffer<Scalar> carried;
+};
+
+struct ChunkMemory {
+    Buffer<TileList> lists;
+    Buffer<Block> blocks;
+    std::size_t max_blocks = 0;
+    std::vector<std::uint32_t> wide;
+    std::vector<Piece> pieces;
+};
+
+struct WorkerMemory {
+    Buffer<Scalar> nearness;
+    Buffer<std::uint32_t> visible, color, ids;
+    TileScratch scratch;
+    std::uint64_t shaded_pixels = 0;
+};
+
+template <class T>
+std::size_t bytes_of(const std::vector<T>& v) {
+    return v.capacity() * sizeof(T);
+}
+
+}  // namespace
+
+struct Workspace::Memory {
+    std::vector<ModelMemory> models;
+    std::vector<ChunkMemory> chunks;
+    std::vector<WorkerMemory> workers;
+    std::vector<ModelState> states;
+    std::vector<Chunk> chunk_states;
+    std::vector<std::span<const Piece>> pieces;
+    std::vector<pipeline::EyeLight> lights;
+};
+
+Workspace::Workspace() : memory_(std::make_unique<Memory>()) {}
+Workspace::~Workspace() = default;
+Workspace::Workspace(Workspace&&) noexcept = default;
+Workspace& Workspace::operator=(Workspace&&) noexcept = default;
+
+std::size_t Workspace::bytes() const {
+    std::size_t sum = sizeof(Memory);
+    for (const ModelMemory& m : memory_->models) sum += m.window.bytes() + m.carried.bytes();
+    for (const ChunkMemory& c : memory_->chunks)
+        sum += c.lists.bytes() + c.blocks.bytes() + bytes_of(c.wide) + bytes_of(c.pieces);
+    for (const WorkerMemory& w : memory_->workers)
+        sum += w.nearness.bytes() + w.visible.bytes() + w.color.bytes() + w.ids.bytes();
+    return sum + bytes_of(memory_->models) + bytes_of(memory_->chunks) + bytes_of(memory_->workers) +
+           bytes_of(memory_->states) + bytes_of(memory_->chunk_states) + bytes_of(memory_->pieces);
+}
+
+std::string_view name(InstructionSet set) {
+    constexpr std::string_view names[] = {"SSE4", "AVX2", "AVX-512"};
+    return names[static_cast<int>(set)];
+}
+
+#if RELEVO_FAST_PATH
+
+std::span<const InstructionSet> instruction_sets() {
+    static constexpr std::array all{InstructionSet::Sse4, InstructionSet::Avx2, InstructionSet::Avx512};
+    static const std::size_t count = [] {
+        const auto supported = hwy::SupportedTargets();
+        return supported & HWY_AVX3 ? 3u : supported & HWY_AVX2 ? 2u : supported & HWY_SSE4 ? 1u : 0u;
+    }();
+    return std::span(all).first(count);
+}
+
+namespace {
+
+const Stages& stages_of(InstructionSet set) {
+    switch (set) {
+        case InstructionSet::Sse4:
+            return stages_sse4;
+        case InstructionSet::Avx2:
+            return stages_avx2;
+        case InstructionSet::Avx512:
+            break;
+    }
+    return stages_avx512;
+}
+
+// The chunk as the stages see it stands at the front of this.
+struct GrowingChunk : Chunk {
+    ChunkMemory* memory = nullptr;
+};
+
+}  // namespace
+
+bool grow_blocks(Chunk& chunk) {
+    ChunkMemory& memory = *static_cast<GrowingChunk&>(chunk).memory;
+    const std::size_t count =
+        std::min(std::max<std::size_t>(1024, 2 * std::size_t{chunk.block_capacity}), memory.max_blocks);
+    if (count <= chunk.block_capacity) return false;
+    chunk.blocks = memory.blocks.grow(count);
+    chunk.block_capacity = static_cast<std::uint32_t>(count);
+    return true;
+}
+
+void append_wide(Chunk& chunk, std::uint32_t id) {
+    std::vector<std::uint32_t>& wide = static_cast<GrowingChunk&>(chunk).memory->wide;
+    if (!wide.empty() && wide.back() == id) return;
+    wide.push_back(id);
+    chunk.wide = wide.data(), chunk.wide_count = static_cast<std::uint32_t>(wide.size());
+}
+
+namespace {
+
+// What a corner carries towards a side, as Program::corner gives it.
+using Carried = std::array<Scalar, max_carried>;
+Carried carried_of(const ModelSetup& setup, Shading shading, bool textured, const pipeline::Vertex& vertex,
+                   bool back) {
+    Carried carried{};
+    with_program(shading, textured, [&]<class Program>(Program) {
+        const auto numbers = varying_of<Program>(setup, vertex, back);
+        std::copy(numbers.begin(), numbers.end(), carried.begin());
+    });
+    return carried;
+}
+
+}  // namespace
+
+void clip_into_bins(const DrawState& draw, Chunk& chunk, const ModelState& model, std::uint32_t primitive) {
+    const auto reject = [&](Rejection reason) { ++chunk.counts.rejected[static_cast<int>(reason)]; };
+    const std::uint32_t* index = &model.indices[3 * (std::size_t{primitive} - model.first_primitive)];
+    pipeline::HPoint<pipeline::Clip> clip[3];
+    pipeline::ClipCodes crossed = 0, all = pipeline::code_planes;
+    for (int k = 0; k < 3; ++k) {
+        clip[k] = model.setup.clip_from_object * model.vertices[index[k]].position;
+        const pipeline::ClipCodes codes = pipeline::clip_codes(clip[k]);
+        crossed |= codes, all &= codes;
+    }
+    if (crossed & pipeline::code_non_finite) return reject(Rejection::NonFinite);
+    if (crossed & pipeline::code_origin) return reject(Rejection::ZeroArea);
+    if (all != 0) return reject(Rejection::Outside);
+
+    constexpr std::size_t n = max_carried;
+    pipeline::ClipPolygon<2 * n> polygon;
+    for (int k = 0; k < 3; ++k) {
+        pipeline::ClipCorner<2 * n> corner{glm::dvec4(clip[k].v), {}, 0};
+        for (int side = 0; side < (model.setup.both_sides ? 2 : 1); ++side) {
+            const Carried carried =
+                carried_of(model.setup, model.shading, model.textured, model.vertices[index[k]], side == 1);
+            std::copy(carried.begin(), carried.end(), corner.varying.begin() + std::ptrdiff_t(n) * side);
+        }
+        polygon.push(corner);
+    }
+    const auto clipped = clip_triangle(polygon, crossed, draw.viewport);
+    if (clipped.result == Clipped::Outside) return reject(Rejection::Outside);
+    if (clipped.result == Clipped::NonFinite) return reject(Rejection::NonFinite);
+    ++chunk.counts.clipped;
+
+    std::vector<Piece>& pieces = static_cast<GrowingChunk&>(chunk).memory->pieces;
+    for_each_fan_triangle(clipped, [&](std::size_t a, std::size_t b, std::size_t c) {
+        const std::size_t corner[3] = {a, b, c};
+        const SnappedCorner window[3] = {clipped.window[a], clipped.window[b], clipped.window[c]};
+        const std::int64_t area = area2(window[0], window[1], window[2]);
+        if (area == 0) return reject(Rejection::ZeroArea);
+        const Facing facing = pipeline::facing(area, model.setup.mirrored);
+        if (pipeline::is_culled(facing, draw.settings.cull)) return reject(Rejection::Culled);
+        const PixelBox box = pixel_box(window, draw.viewport.width, draw.viewport.height);
+        if (box.empty()) return reject(Rejection::NoPixel);
+        Piece made{{window[0], window[1], window[2]}, {}, primitive, model.number};
+        const bool back = facing == Facing::Back && model.setup.both_sides;
+        for (int k = 0; k < 3; ++k)
+            std::copy_n(clipped.varying[corner[k]].begin() + std::ptrdiff_t(back ? n : 0), n,
+                        made.carried[k]);
+        const std::uint32_t id =
+            piece_bit | chunk.number << piece_index_bits | static_cast<std::uint32_t>(pieces.size());
+        pieces.push_back(made);
+        append(draw, chunk, id, box.x0 / draw.tile, box.y0 / draw.tile, box.x1 / draw.tile,
+               box.y1 / draw.tile);
+    });
+}
+
+namespace {
+
+// Everything of one draw, stage after stage.
+class FastDraw {
+  public:
+    FastDraw(const Scene& scene, const Settings& settings, Frame& frame, Workspace::Memory& memory,
+             const Options& options)
+        : scene_(scene), memory_(memory), options_(options), stages_(stages_of(options.instruction_set)) {
+        draw_.settings = settings;
+        draw_.viewport = {frame.depth.width(), frame.depth.height()};
+        draw_.tile = options.tile;
+        draw_.tiles_across = (draw_.viewport.width + options.tile - 1) / options.tile;
+        draw_.tiles_down = (draw_.viewport.height + options.tile - 1) / options.tile;
+        draw_.background = scene.background;
+        draw_.background8 = to_rgba8(scene.background, settings.output);
+        draw_.color = frame.color.row(0);
+        draw_.depth = frame.depth.row(0);
+        draw_.linear = frame.linear.empty() ? nullptr : frame.linear.row(0);
+        if (options.visible != nullptr) {
+            *options.visible = Image<std::uint32_t>(draw_.viewport.width, draw_.viewport.height);
+            draw_.visible = options.visible->row(0);
+        }
+    }
+
+    Counts run() {
+        prepare_models();
+        transform();
+        bin();
+        return draw_tiles();
+    }
+
+  private:
+    int workers() const { return options_.workers == nullptr ? 1 : options_.workers->count(); }
+    template <class Work>
+    void each(int items, Work&& work) {
+        if (options_.workers == nullptr)
+            for (int item = 0; item < items; ++item) work(item, 0);
+        else
+            options_.workers->run(items, work);
+    }
+
+    void prepare_models() {
+        memory_.lights = lights_in_eye_space(scene_);
+        if (memory_.models.size() < scene_.models.size()) memory_.models.resize(scene_.models.size());
+        memory_.states.assign(scene_.models.size(), {});
+        for (std::size_t m = 0; m < scene_.models.size(); ++m) {
+            const Model& model = scene_.models[m];
+            ModelState& state = memory_.states[m];
+            state.number = static_cast<std::uint32_t>(m);
+            state.vertices = model.mesh->vertices;
+            state.indices = model.mesh->indices;
+            state.first_primitive = triangles_;
+            state.triangles = static_cast<std::uint32_t>(model.mesh->triangles());
+            state.setup = make_setup(scene_.camera, model, memory_.lights, draw_.settings);
+            state.shading = draw_.settings.shading;
+            state.textured = model.texture != nullptr;
+            with_program(state.shading, state.textured,
+                         [&]<class Program>(Program) { state.size = static_cast<int>(Program::size); });
+            state.stride = state.size == 0 ? 0 : state.size <= 4 ? 4 : 8;
+            const std::size_t room = (state.vertices.size() + 15) / 16 * 16;
+            state.window = memory_.models[m].window.room_for(room);
+            state.carried = memory_.models[m].carried.room_for(room * std::size_t(state.stride));
+            triangles_ += state.triangles;
+            counts_.vertices += state.vertices.size();
+        }
+        draw_.models = memory_.states;
+    }
+
+    void transform() {
+        constexpr std::size_t block = 4096;  // vertices
+        for (const ModelState& model : draw_.models) {
+            const std::size_t count = model.vertices.size();
+            each(static_cast<int>((count + block - 1) / block), [&](int item, int) {
+                const std::size_t first = block * std::size_t(item);
+                stages_.transform(model, draw_.viewport, static_cast<std::uint32_t>(first),
+                                  static_cast<std::uint32_t>(std::min(first + block, count)));
+            });
+        }
+    }
+
+    void bin() {
+        const std::size_t tiles = std::size_t(draw_.tiles_across) * std::size_t(draw_.tiles_down);
+        const std::uint32_t wanted = workers() == 1 ? 1 : 4 * static_cast<std::uint32_t>(workers());
+        const std::uint32_t needed = (triangles_ + max_chunk_triangles - 1) / max_chunk_triangles;
+        chunk_count_ = std::clamp(std::max(std::min(wanted, triangles_ / 4096), needed), 1u, max_chunks + 0u);
+        if (memory_.chunks.size() < chunk_count_) memory_.chunks.resize(chunk_count_);
+        chunks_.resize(chunk_count_);
+        memory_.pieces.resize(chunk_count_);
+        for (std::uint32_t c = 0; c < chunk_count_; ++c) {
+            ChunkMemory& memory = memory_.chunks[c];
+            GrowingChunk& chunk = chunks_[c];
+            const auto bound = [&](std::uint32_t k) {
+                return static_cast<std::uint32_t>(std::uint64_t{triangles_} * k / chunk_count_);
+            };
+            chunk.number = c, chunk.first = bound(c), chunk.last = bound(c + 1);
+            chunk.memory = &memory;
+            chunk.lists = memory.lists.room_for(tiles);
+            std::fill_n(chunk.lists, tiles, TileList{});
+            chunk.blocks = memory.blocks.room_for(0);
+            chunk.block_capacity = static_cast<std::uint32_t>(memory.blocks.capacity());
+            memory.max_blocks = std::max(
+                (block_room / chunk_count_ + 8 * std::size_t{chunk.last - chunk.first}) / sizeof(Block),
+                memory.blocks.capacity());
+            memory.wide.clear();
+            memory.pieces.clear();
+        }
+        each(static_cast<int>(chunk_count_),
+             [&](int c, int) { stages_.bin(draw_, chunks_[std::size_t(c)]); });
+        memory_.chunk_states.assign(chunks_.begin(), chunks_.end());
+        for (std::uint32_t c = 0; c < chunk_count_; ++c) memory_.pieces[c] = memory_.chunks[c].pieces;
+        draw_.pieces = memory_.pieces;
+    }
+
+    Counts draw_tiles() {
+        const int stride = draw_.tile + 16;
+        const std::size_t pixels = std::size_t(stride) * std::size_t(draw_.tile) + 16;
+        if (memory_.workers.size() < std::size_t(workers())) memory_.workers.resize(std::size_t(workers()));
+        for (WorkerMemory& worker : memory_.workers) {
+            worker.scratch = {{stride, worker.nearness.room_for(pixels), worker.visible.room_for(pixels),
+                               worker.color.room_for(pixels)},
+                              worker.ids.room_for(tile_batch + 16)};
+            worker.shaded_pixels = 0;
+        }
+        each(draw_.tiles_across * draw_.tiles_down, [&](int tile, int w) {
+            WorkerMemory& worker = memory_.workers[std::size_t(w)];
+            worker.shaded_pixels += stages_.draw_tile(draw_, memory_.chunk_states.data(),
+                                                      static_cast<int>(chunk_count_), worker.scratch, tile);
+        });
+        for (const Chunk& chunk : memory_.chunk_states) {
+            counts_.triangles += chunk.counts.triangles;
+            counts_.clipped += chunk.counts.clipped;
+            for (std::size_t r = 0; r < std::size(counts_.rejected); ++r)
+                counts_.rejected[r] += chunk.counts.rejected[r];
+        }
+        for (const WorkerMemory& worker : memory_.workers) counts_.shaded_pixels += worker.shaded_pixels;
+        return counts_;
+    }
+
+    static constexpr std::size_t block_room = std::size_t{32} << 20;  // bytes, besides 8 a triangle
+
+    const Scene& scene_;
+    Workspace::Memory& memory_;
+    const Options& options_;
+    const Stages& stages_;
+    DrawState draw_;
+    std::vector<GrowingChunk> chunks_;
+    std::uint32_t triangles_ = 0, chunk_count_ = 0;
+    Counts counts_;
+};
+
+}  // namespace
+
+Counts draw(const Scene& scene, const Settings& settings, Frame& frame, Workspace& workspace,
+            const Options& options) {
+    assert(options.tile == 32 || options.tile == 64 || options.tile == 128);
+    return FastDraw(scene, settings, frame, workspace.memory(), options).run();
+}
+
+#else
+
+std::span<const InstructionSet> instruction_sets() { return {}; }
+
+Counts draw(const Scene&, const Settings&, Frame&, Workspace&, const Options&) { std::abort(); }
+
+#endif
+
+}  // namespace relevo::raster::fast

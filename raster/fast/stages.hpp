@@ -1,0 +1,30 @@
+// One instruction set's stages, as the driver (draw_fast.cpp) calls them.
+#pragma once
+#include <cstdint>
+
+#include "raster/fast/bins.hpp"
+#include "raster/fast/draw_state.hpp"
+
+namespace relevo::raster::fast {
+
+// The memory of one worker for one tile at a time.
+struct TileScratch {
+    TileMemory tile;
+    std::uint32_t* ids = nullptr;  // room for tile_batch ids
+};
+inline constexpr int tile_batch = 1024;
+
+struct Stages {
+    // Vertices first..last-1 of a model, `first` a multiple of 16: window and carried numbers.
+    void (*transform)(const ModelState& model, const pipeline::Viewport& viewport, std::uint32_t first,
+                      std::uint32_t last);
+    // The chunk's triangles into its lists.
+    void (*bin)(const DrawState& draw, Chunk& chunk);
+    // A tile, from its lists to the picture. Returns the number of shaded pixels.
+    std::uint64_t (*draw_tile)(const DrawState& draw, const Chunk* chunks, int chunk_count,
+                               TileScratch& scratch, int tile);
+};
+
+extern const Stages stages_sse4, stages_avx2, stages_avx512;
+
+}  // namespace relevo::raster::fast

@@ -1,0 +1,46 @@
+// The three stages of one instruction set; included by one source file for each, which is compiled for it.
+#pragma once
+#include "raster/fast/bin_triangles.hpp"
+#include "raster/fast/cover_tile.hpp"
+#include "raster/fast/shade_tile.hpp"
+#include "raster/fast/stages.hpp"
+#include "raster/fast/transform_vertices.hpp"
+#include "raster/fast/write_tile.hpp"
+
+namespace relevo::raster::fast::HWY_NAMESPACE {
+
+static void transform(const ModelState& model, const pipeline::Viewport& viewport, std::uint32_t first,
+                      std::uint32_t last) {
+    const auto with = [&]<class Program>(Program) {
+        transform_vertices<Program>(model, viewport, first, last);
+    };
+    switch (model.shading) {
+        case Shading::Unlit:
+        case Shading::Flat:
+            return model.textured ? with(Unlit<true>{}) : with(Unlit<false>{});
+        case Shading::Gouraud:
+            return model.textured ? with(Gouraud<true>{}) : with(Gouraud<false>{});
+        case Shading::Phong:
+            return model.textured ? with(Phong<true>{}) : with(Phong<false>{});
+    }
+}
+
+static void bin(const DrawState& draw, Chunk& chunk) { bin_triangles(draw, chunk); }
+
+static std::uint64_t draw_tile(const DrawState& draw, const Chunk* chunks, int chunk_count,
+                               TileScratch& scratch, int number) {
+    const int x0 = number % draw.tiles_across * draw.tile, y0 = number / draw.tiles_across * draw.tile;
+    const TileBox box{x0, y0, std::min(draw.tile, draw.viewport.width - x0),
+                      std::min(draw.tile, draw.viewport.height - y0)};
+    std::uint64_t shaded = 0;
+    if (cover_tile(draw, chunks, chunk_count, scratch, number, box)) {
+        shaded = shade_tile(draw, scratch.tile, box);
+        write_tile(draw, scratch.tile, box);
+    } else {
+        write_empty_tile(draw, box);
+    }
+    hwy::FlushStream();
+    return shaded;
+}
+
+}  // namespace relevo::raster::fast::HWY_NAMESPACE

@@ -1,0 +1,84 @@
+// Stage 1 of the fast path: N vertices at a time to the window, with what they carry.
+//
+//   mesh      px py pz nx ny nz u v | ...      32 bytes a vertex
+//   window    x y z rw | ...                   16 bytes; rw = 0 and x = clip code where there is one
+//   carried   a0 .. a3 [a4 .. a7] | ...        16 or 32 bytes: what the shading interpolates
+#pragma once
+#include "raster/fast/draw_state.hpp"
+#include "raster/fast/lanes.hpp"
+#include "raster/shading.hpp"
+
+namespace relevo::raster::fast::HWY_NAMESPACE {
+
+struct LaneVertex {
+    pipeline::Triple<Floats> position, normal;
+    Floats u, v;
+};
+
+static_assert(sizeof(pipeline::Vertex) == 32, "eight floats, no padding");
+RELEVO_LANE LaneVertex load_vertices(const pipeline::Vertex* vertices) {
+    const float* p = reinterpret_cast<const float*>(vertices);
+    hn::Vec<TagF> px_ny[2], py_nz[2], pz_u[2], nx_v[2];  // of each half of the lanes, by turns
+    for (int half = 0; half < 2; ++half)
+        hn::LoadInterleaved4(TagF(), p + 4 * lanes * half, px_ny[half], py_nz[half], pz_u[half], nx_v[half]);
+    const auto even = [](hn::Vec<TagF>(&of)[2]) { return Floats(hn::ConcatEven(TagF(), of[1], of[0])); };
+    const auto odd = [](hn::Vec<TagF>(&of)[2]) { return Floats(hn::ConcatOdd(TagF(), of[1], of[0])); };
+    return {
+        {even(px_ny), even(py_nz), even(pz_u)}, {even(nx_v), odd(px_ny), odd(py_nz)}, odd(pz_u), odd(nx_v)};
+}
+
+RELEVO_LANE void store_carried(const Floats* a, int stride, float* to) {
+    if (stride == 4) return hn::StoreInterleaved4(a[0].v, a[1].v, a[2].v, a[3].v, TagF(), to);
+    alignas(64) float first[4 * lanes], second[4 * lanes];
+    hn::StoreInterleaved4(a[0].v, a[1].v, a[2].v, a[3].v, TagF(), first);
+    hn::StoreInterleaved4(a[4].v, a[5].v, a[6].v, a[7].v, TagF(), second);
+    const hn::Full128<float> tag;
+    for (int k = 0; k < lanes; ++k) {
+        hn::Store(hn::Load(tag, first + 4 * k), tag, to + 8 * k);
+        hn::Store(hn::Load(tag, second + 4 * k), tag, to + 8 * k + 4);
+    }
+}
+
+template <class Program>
+RELEVO_LANE void transform_group(const ModelState& model, const pipeline::Viewport& viewport,
+                                 const pipeline::Vertex* vertices, SnappedCorner* window, float* carried) {
+    const LaneVertex vertex = load_vertices(vertices);
+    const auto clip = pipeline::transformed(model.setup.clip_from_object, vertex.position);
+    const Ints codes = pipeline::clip_codes(clip);
+    const auto corner = pipeline::to_window(clip, viewport);
+    const Bools clean = codes == Ints(0);
+    hn::StoreInterleaved4(bits_float(select(clean, corner.x, codes)).v, bits_float(corner.y).v, corner.z.v,
+                          select(clean, corner.rw, Floats(0.f)).v, TagF(), reinterpret_cast<float*>(window));
+    if constexpr (Program::size > 0) {
+        ShadedLanes<Floats> shaded{};
+        shaded.uv = {vertex.u, vertex.v};
+        if constexpr (Program::needs_eye) {
+            shaded.position = pipeline::transformed(model.setup.eye_from_object, vertex.position);
+            shaded.normal = pipeline::normalize(pipeline::transformed(model.setup.normal_map, vertex.normal));
+        }
+        const auto values = Program::template corner<Floats>(model.setup.surface, shaded);
+        Floats a[max_carried];
+        for (int k = 0; k < max_carried; ++k)
+            a[k] = k < int(Program::size) ? values[std::size_t(k)] : Floats(0.f);
+        store_carried(a, Program::size <= 4 ? 4 : 8, carried);
+    }
+}
+
+// Vertices first..last-1, `first` a multiple of 16. The window and the carried numbers have room up to the
+// next multiple of 16.
+template <class Program>
+RELEVO_LANE void transform_vertices(const ModelState& model, const pipeline::Viewport& viewport,
+                                    std::uint32_t first, std::uint32_t last) {
+    for (std::size_t i = first; i < last; i += lanes) {
+        pipeline::Vertex some[lanes];
+        const pipeline::Vertex* from = &model.vertices[i];
+        if (i + lanes > last) {  // the last few of the mesh
+            for (std::size_t k = 0; k < lanes; ++k) some[k] = model.vertices[i + k < last ? i + k : last - 1];
+            from = some;
+        }
+        transform_group<Program>(model, viewport, from, model.window + i,
+                                 model.carried + i * std::size_t(model.stride));
+    }
+}
+
+}  // namespace relevo::raster::fast::HWY_NAMESPACE
