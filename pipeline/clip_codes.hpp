@@ -5,9 +5,9 @@
 // screen's edge and the guard band is cut by the pixel box, without new vertices. Only comparisons, so no
 // rounding decides.
 #pragma once
-#include <cmath>
 #include <cstdint>
 
+#include "pipeline/lane_vector.hpp"
 #include "pipeline/space.hpp"
 
 namespace relevo::pipeline {
@@ -26,17 +26,23 @@ inline constexpr ClipCodes code_planes = 63;
 inline constexpr ClipCodes code_origin = 64;       // (0, 0, 0, 0): its triangle projects to a line
 inline constexpr ClipCodes code_non_finite = 128;  // not a number, infinite, or 1/w would be
 
+template <class Real>
+Whole<Real> lanes_clip_codes(const Vec4Of<Real>& p, Scalar side = guard_band) {
+    using Codes = Whole<Real>;
+    const auto code_unless = [](const Mask<Real>& inside, ClipCodes code) {
+        return select(inside, Codes(0), Codes(code));
+    };
+    const Real limit = side * p.w;
+    const Codes planes = code_unless(p.z <= p.w, code_z_high) | code_unless(p.z >= 0, code_z_low) |
+                         code_unless(p.x >= -limit, code_x_low) | code_unless(p.x <= limit, code_x_high) |
+                         code_unless(p.y >= -limit, code_y_low) | code_unless(p.y <= limit, code_y_high);
+    const Codes inside =
+        select(p.w == 0, Codes(code_origin), code_unless(is_finite(1 / p.w), code_non_finite));
+    return select(is_finite(p.x) && is_finite(p.y) && is_finite(p.z) && is_finite(p.w),
+                  select(planes == 0, inside, planes), Codes(code_non_finite));
+}
 inline ClipCodes clip_codes(const HPoint<Clip>& p, Scalar side = guard_band) {
-    const Scalar x = p.v.x, y = p.v.y, z = p.v.z, w = p.v.w;
-    if (!(std::isfinite(x) && std::isfinite(y) && std::isfinite(z) && std::isfinite(w)))
-        return code_non_finite;
-    const Scalar limit = side * w;
-    const int planes = (z <= w ? 0 : code_z_high) | (z >= 0 ? 0 : code_z_low) |
-                       (x >= -limit ? 0 : code_x_low) | (x <= limit ? 0 : code_x_high) |
-                       (y >= -limit ? 0 : code_y_low) | (y <= limit ? 0 : code_y_high);
-    if (planes != 0) return static_cast<ClipCodes>(planes);
-    if (w == 0) return code_origin;
-    return std::isfinite(1 / w) ? ClipCodes{0} : code_non_finite;
+    return static_cast<ClipCodes>(lanes_clip_codes<Scalar>(p.v, side));
 }
 
 }  // namespace relevo::pipeline

@@ -7,7 +7,7 @@
 #include <bit>
 #include <cmath>
 
-#include "pipeline/scalar.hpp"
+#include "pipeline/lane.hpp"
 
 namespace relevo::pipeline {
 
@@ -47,15 +47,17 @@ inline Exponent exponent(Scalar n) {
 }
 Scalar general_power(Scalar x, Scalar n);
 
-inline Scalar power(Scalar x, Exponent n) {
-    if (!(x > 0)) return 0;
-    if (n.integer == 0) return general_power(x, n.value);
-    Scalar result = x;
+template <class Real>
+Real power(Real x, const Exponent& n) {
+    const Mask<Real> positive = x > 0;
+    if (!any(positive)) return 0;
+    if (n.integer == 0) return each_lane([&](Scalar lane) { return general_power(lane, n.value); }, x);
+    Real result = x;
     for (int bit = n.highest >> 1; bit > 0; bit >>= 1) {
         result = result * result;
         if (n.integer & bit) result = result * x;
     }
-    return result;
+    return select(positive, result, Real(0));
 }
 inline Scalar power(Scalar x, Scalar n) { return power(x, exponent(n)); }
 

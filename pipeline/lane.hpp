@@ -7,6 +7,7 @@
 //
 //   Real      the number itself                      Mask<Real>     what a comparison of two gives
 //   Wide      a double for each lane                 Whole<Real>    an int32 for each lane
+//   BigWhole  a whole number below 2^53              Word<Real>     32 bits for each lane, sums mod 2^32
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -22,6 +23,8 @@ struct LaneTypes<Scalar> {
     using Mask = bool;
     using Wide = double;
     using Whole = std::int32_t;
+    using BigWhole = std::int64_t;
+    using Word = std::uint32_t;
 };
 template <class Real>
 using Mask = typename LaneTypes<Real>::Mask;
@@ -29,6 +32,10 @@ template <class Real>
 using Wide = typename LaneTypes<Real>::Wide;
 template <class Real>
 using Whole = typename LaneTypes<Real>::Whole;
+template <class Real>
+using BigWhole = typename LaneTypes<Real>::BigWhole;
+template <class Real>
+using Word = typename LaneTypes<Real>::Word;
 
 using std::floor;
 using std::sqrt;
@@ -40,17 +47,29 @@ constexpr T select(bool mask, const T& yes, const T& no) {
     return mask ? yes : no;
 }
 
-// Between the number types: to_wide and to_whole's inverses are exact; rounded() rounds once, to nearest
-// even; truncated() drops the fraction of a number within int32.
+inline bool is_finite(Scalar x) { return std::isfinite(x); }
+
+// Between the number types: to_wide, to_big, to_word and to_whole are exact; rounded() and to_real() round
+// once, to nearest even; nearest() goes to the nearest int32, ties to even; truncated() drops the fraction of
+// a number within int32.
 constexpr double to_wide(Scalar x) { return x; }
 constexpr double to_wide(std::int32_t x) { return x; }
+constexpr double to_wide(std::int64_t x) { return static_cast<double>(x); }
+constexpr std::int64_t to_big(std::int32_t x) { return x; }
+constexpr std::uint32_t to_word(std::int32_t x) { return static_cast<std::uint32_t>(x); }
+constexpr std::int32_t to_whole(std::uint32_t x) { return static_cast<std::int32_t>(x); }
 constexpr Scalar rounded(double x) { return static_cast<Scalar>(x); }
+inline std::int32_t nearest(double x) { return static_cast<std::int32_t>(std::lrint(x)); }
 constexpr std::int32_t truncated(Scalar x) { return static_cast<std::int32_t>(x); }
 constexpr Scalar to_real(std::int32_t x) { return static_cast<Scalar>(x); }
+constexpr Scalar to_real(std::uint32_t x) { return static_cast<Scalar>(std::int64_t{x}); }
+
+// table[index] of each lane.
+constexpr std::uint32_t look_up(const std::uint32_t* table, std::int32_t index) { return table[index]; }
 
 // f of each lane, for the rare formula that is only written for one.
-template <class F>
-Scalar each_lane(F&& f, Scalar x) {
+template <class F, class T>
+T each_lane(F&& f, const T& x) {
     return f(x);
 }
 

@@ -37,15 +37,20 @@ struct EyeLight {
 };
 inline EyeLight to_eye(const Light& light, const RoundedAffine<Eye, World>& eye_from_world) {
     if (light.kind == Light::Kind::Point) return {false, (eye_from_world * light.position).v, light.color};
-    return {true, normalize(-(eye_from_world * light.direction).v), light.color};
+    return {true, normalize<Scalar>(-(eye_from_world * light.direction).v), light.color};
 }
 
 // What a surface does with the light that falls on it.
-struct Reflection {
-    LinearRgb amount;  // multiplies the base colour
-    LinearRgb gloss;   // is added
+template <class Real>
+struct ReflectionOf {
+    RgbOf<Real> amount;  // multiplies the base colour
+    RgbOf<Real> gloss;   // is added
 };
-constexpr LinearRgb reflected(LinearRgb base, const Reflection& by) { return base * by.amount + by.gloss; }
+using Reflection = ReflectionOf<Scalar>;
+template <class Real>
+constexpr RgbOf<Real> reflected(const RgbOf<Real>& base, const ReflectionOf<Real>& by) {
+    return base * by.amount + by.gloss;
+}
 
 // Everything of the light equation that is the same all over a model.
 struct Lighting {
@@ -58,16 +63,22 @@ struct Lighting {
 // The light equation at a point of eye space with its unit normal, the lights summed in their order.
 // A zero normal, or a light or viewer at the very point, leaves its terms out. Never not-a-number for finite
 // input.
-inline Reflection reflect(const Lighting& lighting, const Vec3& point, const Vec3& n) {
-    const Vec3 v = lighting.parallel_view ? Vec3{0, 0, 1} : normalize(-point);
-    Reflection sum{{lighting.ambient, lighting.ambient, lighting.ambient}, {0, 0, 0}};
+template <class Real = Scalar>
+ReflectionOf<Real> reflect(const Lighting& lighting, const Vec3Of<Real>& point, const Vec3Of<Real>& n) {
+    using Vector = Vec3Of<Real>;
+    const Vector v = lighting.parallel_view ? Vector{0, 0, 1} : normalize<Real>(-point);
+    ReflectionOf<Real> sum{{lighting.ambient, lighting.ambient, lighting.ambient}, {0, 0, 0}};
     for (const EyeLight& light : lighting.lights) {
-        const Vec3 l = light.directional ? light.place : normalize(light.place - point);
-        const Scalar nl = dot(n, l);
-        if (!(nl > 0)) continue;
-        const Vec3 r = (nl + nl) * n - l;
-        sum.amount = sum.amount + (lighting.diffuse * nl) * light.color;
-        sum.gloss = sum.gloss + (lighting.specular * power(dot(r, v), lighting.shininess)) * light.color;
+        const RgbOf<Real> color = light.color;
+        const Vector l =
+            light.directional ? Vector(light.place) : normalize<Real>(Vector(light.place) - point);
+        const Real nl = dot<Real>(n, l);
+        const Mask<Real> lit = nl > 0;
+        if (!any(lit)) continue;
+        const Vector r = (nl + nl) * n - l;
+        const Real shine = power(dot<Real>(r, v), lighting.shininess);
+        sum.amount = select(lit, sum.amount + (lighting.diffuse * nl) * color, sum.amount);
+        sum.gloss = select(lit, sum.gloss + (lighting.specular * shine) * color, sum.gloss);
     }
     return sum;
 }

@@ -103,10 +103,13 @@ RoundedProjective<To, From> rounded(const Projective<To, From>& map) {
     return out;
 }
 
-constexpr Scalar row_times_point(const Scalar (&m)[4], const Vec3& p) {
+// V: a Vec3, or one for each lane.
+template <class V = Vec3>
+constexpr auto row_times_point(const Scalar (&m)[4], const V& p) {
     return ((m[0] * p.x + m[1] * p.y) + m[2] * p.z) + m[3];
 }
-constexpr Scalar row_times_direction(const Scalar (&m)[4], const Vec3& d) {
+template <class V = Vec3>
+constexpr auto row_times_direction(const Scalar (&m)[4], const V& d) {
     return (m[0] * d.x + m[1] * d.y) + m[2] * d.z;
 }
 

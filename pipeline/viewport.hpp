@@ -6,9 +6,7 @@
 // Source: Direct3D 11.3 functional specification 3.4.1 and 15.16 (n.8 snapping); textbook 3.2 (window and
 // viewport). Error of X and Y: 1/512 pixel. With |x|, |y| <= 7 w and W, H <= 8192: |X|, |Y| <= 2^23.
 #pragma once
-#include <cmath>
-#include <cstdint>
-
+#include "pipeline/lane_vector.hpp"
 #include "pipeline/space.hpp"
 
 namespace relevo::pipeline {
@@ -18,11 +16,13 @@ struct Viewport {
 };
 
 // A corner in the window: what the rasterizer works with.
-struct SnappedCorner {
-    std::int32_t x, y;  // 1/256 pixel, y down
-    Scalar z;           // depth
-    Scalar rw;          // 1 / w
+template <class Real>
+struct SnappedCornerOf {
+    Whole<Real> x, y;  // 1/256 pixel, y down
+    Real z;            // depth
+    Real rw;           // 1 / w
 };
+using SnappedCorner = SnappedCornerOf<Scalar>;
 
 struct Divided {
     Point<Ndc> ndc;
@@ -37,13 +37,16 @@ inline Divided perspective_divide(const HPoint<Clip>& p) {
 }
 
 // `p` passed every clip test (no clip code): w > 0, |x|, |y| <= 7 w.
-inline SnappedCorner to_window(const HPoint<Clip>& p, const Viewport& viewport) {
-    const double i = 1.0 / static_cast<double>(p.v.w);
+template <class Real>
+SnappedCornerOf<Real> lanes_to_window(const Vec4Of<Real>& p, const Viewport& viewport) {
+    const Wide<Real> i = 1.0 / to_wide(p.w);
     const double half_width = 128.0 * viewport.width, half_height = 128.0 * viewport.height;
-    const double x = (static_cast<double>(p.v.x) * i) * half_width + half_width;
-    const double y = half_height - (static_cast<double>(p.v.y) * i) * half_height;
-    return {static_cast<std::int32_t>(std::lrint(x)), static_cast<std::int32_t>(std::lrint(y)), p.v.z / p.v.w,
-            1 / p.v.w};
+    const Wide<Real> x = (to_wide(p.x) * i) * half_width + half_width;
+    const Wide<Real> y = half_height - (to_wide(p.y) * i) * half_height;
+    return {nearest(x), nearest(y), p.z / p.w, 1 / p.w};
+}
+inline SnappedCorner to_window(const HPoint<Clip>& p, const Viewport& viewport) {
+    return lanes_to_window<Scalar>(p.v, viewport);
 }
 
 }  // namespace relevo::pipeline

@@ -14,51 +14,68 @@
 
 namespace relevo::raster {
 
-struct Interpolator {
-    double z0, g1, g2;
-    double rw0, rw1, rw2;  // 1 / w
-};
+using pipeline::rounded;
+using pipeline::to_wide;
+using pipeline::Wide;
 
-inline Interpolator make_interpolator(const Triangle& t) {
+// A triangle in each lane; one triangle (Real = Scalar) serves the edge values of N lanes, too.
+template <class Real>
+struct InterpolatorOf {
+    Wide<Real> z0, g1, g2;
+    Wide<Real> rw0, rw1, rw2;  // 1 / w
+};
+using Interpolator = InterpolatorOf<Scalar>;
+
+template <class Real>
+InterpolatorOf<Real> make_interpolator(const TriangleOf<Real>& t) {
     const auto& [c0, c1, c2] = t.corner;
-    const double z0 = c0.z, inverse_area = 1 / static_cast<double>(t.area);
-    return {z0, (c1.z - z0) * inverse_area, (c2.z - z0) * inverse_area, c0.rw, c1.rw, c2.rw};
+    const Wide<Real> z0 = to_wide(c0.z), inverse_area = 1.0 / to_wide(t.area);
+    return {z0,
+            (to_wide(c1.z) - z0) * inverse_area,
+            (to_wide(c2.z) - z0) * inverse_area,
+            to_wide(c0.rw),
+            to_wide(c1.rw),
+            to_wide(c2.rw)};
 }
 
 // Error against the plane through the snapped corners: at most 2^-23 max |z_i| (half of it is the final
 // rounding).
-inline Scalar depth(const Interpolator& i, const EdgeValues& e) {
-    return static_cast<Scalar>(i.z0 + (static_cast<double>(e.e1) * i.g1 + static_cast<double>(e.e2) * i.g2));
+template <class Real = Scalar, class Corners>
+Real depth(const InterpolatorOf<Corners>& i, const EdgeValuesOf<Real>& e) {
+    return rounded(i.z0 + (to_wide(e.e1) * i.g1 + to_wide(e.e2) * i.g2));
 }
 
-struct PerspectiveWeights {
-    Scalar b1, b2;
-    double s;  // area / w of the pixel
+template <class Real>
+struct PerspectiveWeightsOf {
+    Real b1, b2;
+    Wide<Real> s;  // area / w of the pixel
 };
+using PerspectiveWeights = PerspectiveWeightsOf<Scalar>;
 // |a - exact| <= (8 max |a_i| + 2 |a|) 2^-24 for every attribute, at any ratio of the corners' w.
-inline PerspectiveWeights perspective_weights(const Interpolator& i, const EdgeValues& e) {
-    const double q0 = static_cast<double>(e.e0) * i.rw0, q1 = static_cast<double>(e.e1) * i.rw1,
-                 q2 = static_cast<double>(e.e2) * i.rw2;
-    const double s = q0 + (q1 + q2), r = 1 / s;
-    return {static_cast<Scalar>(q1 * r), static_cast<Scalar>(q2 * r), s};
+template <class Real = Scalar, class Corners>
+PerspectiveWeightsOf<Real> perspective_weights(const InterpolatorOf<Corners>& i,
+                                               const EdgeValuesOf<Real>& e) {
+    const Wide<Real> q0 = to_wide(e.e0) * i.rw0, q1 = to_wide(e.e1) * i.rw1, q2 = to_wide(e.e2) * i.rw2;
+    const Wide<Real> s = q0 + (q1 + q2), r = 1.0 / s;
+    return {rounded(q1 * r), rounded(q2 * r), s};
 }
 
 // The numbers that the corners carry, as a value at corner 0 and two differences.
-template <std::size_t N>
+template <std::size_t N, class Real = Scalar>
 struct VaryingPlane {
-    std::array<Scalar, N> a0, d1, d2;
+    std::array<Real, N> a0, d1, d2;
 };
-template <std::size_t N>
-VaryingPlane<N> make_plane(const std::array<Scalar, N>& a0, const std::array<Scalar, N>& a1,
-                           const std::array<Scalar, N>& a2) {
-    VaryingPlane<N> plane;
+template <std::size_t N, class Real = Scalar>
+VaryingPlane<N, Real> make_plane(const std::array<Real, N>& a0, const std::array<Real, N>& a1,
+                                 const std::array<Real, N>& a2) {
+    VaryingPlane<N, Real> plane;
     for (std::size_t k = 0; k < N; ++k)
         plane.a0[k] = a0[k], plane.d1[k] = a1[k] - a0[k], plane.d2[k] = a2[k] - a0[k];
     return plane;
 }
-template <std::size_t N>
-std::array<Scalar, N> interpolate(const VaryingPlane<N>& plane, const PerspectiveWeights& b) {
-    std::array<Scalar, N> a;
+template <std::size_t N, class Corners, class Real>
+std::array<Real, N> interpolate(const VaryingPlane<N, Corners>& plane, const PerspectiveWeightsOf<Real>& b) {
+    std::array<Real, N> a;
     for (std::size_t k = 0; k < N; ++k) a[k] = plane.a0[k] + (b.b1 * plane.d1[k] + b.b2 * plane.d2[k]);
     return a;
 }

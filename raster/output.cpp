@@ -1,7 +1,5 @@
 #include "raster/output.hpp"
 
-#include <array>
-
 namespace relevo::raster {
 
 // Smallest float c with 255 srgb(c) >= k - 1/2, in the inverse form of IEC 61966-2-1:
@@ -76,29 +74,26 @@ const std::uint16_t srgb_decoded[256] = {
 
 namespace {
 
-constexpr int guesses = 4096;
-
-// The code at the lower end of each 1/4096 of [0, 1): where the search starts. At most three codes begin
-// within one.
-constexpr std::array<std::uint8_t, guesses> make_first_codes() {
-    std::array<std::uint8_t, guesses> codes{};
-    int code = 0;
-    for (int i = 0; i < guesses; ++i) {
-        while (code < 255 && srgb_thresholds[code + 1] <= static_cast<float>(i) / guesses) ++code;
-        codes[std::size_t(i)] = static_cast<std::uint8_t>(code);
-    }
-    return codes;
+constexpr bool cells_hold_one_threshold() {
+    for (int k = 1; k < 255; ++k)
+        if ((srgb_thresholds[k + 1] - srgb_thresholds[k]) * srgb_cells <= 1) return false;
+    return true;
 }
-constexpr std::array<std::uint8_t, guesses> first_codes = make_first_codes();
+static_assert(cells_hold_one_threshold());
+
+constexpr SrgbTable make_srgb_table() {
+    SrgbTable table{};
+    std::uint32_t code = 0;
+    for (int i = 0; i <= srgb_cells; ++i) {
+        while (code < 255 && double{srgb_thresholds[code + 1]} * srgb_cells <= i) ++code;
+        const double next = code < 255 ? double{srgb_thresholds[code + 1]} * srgb_cells - i : 1;
+        table.cell[i] = ((code + 1) << 24) - static_cast<std::uint32_t>((next < 1 ? next : 1) * (1 << 23));
+    }
+    return table;
+}
 
 }  // namespace
 
-std::uint8_t to_srgb8(Scalar c) {
-    if (!(c > 0)) return 0;
-    if (c >= 1) return 255;
-    int code = first_codes[static_cast<std::size_t>(c * guesses)];
-    while (code < 255 && c >= static_cast<Scalar>(srgb_thresholds[code + 1])) ++code;
-    return static_cast<std::uint8_t>(code);
-}
+constexpr SrgbTable srgb_table = make_srgb_table();
 
 }  // namespace relevo::raster

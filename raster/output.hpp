@@ -8,11 +8,15 @@
 #include <cstdint>
 
 #include "pipeline/color.hpp"
+#include "pipeline/lane.hpp"
 
 namespace relevo::raster {
 
 using pipeline::LinearRgb;
+using pipeline::RgbOf;
 using pipeline::Scalar;
+using pipeline::Whole;
+using pipeline::Word;
 
 enum class Output { Srgb, Raw };
 
@@ -24,17 +28,53 @@ struct Rgba8 {
 // The smallest linear light that is written as code k, for k = 1..255 (element 0 is 0).
 extern const float srgb_thresholds[256];
 
-// Not-a-number is written as 0, infinities as 0 and 255.
-inline std::uint8_t to_raw8(Scalar c) {
-    const Scalar positive = c > 0 ? c : Scalar(0);
-    const Scalar clamped = positive < 1 ? positive : Scalar(1);
-    return static_cast<std::uint8_t>(static_cast<int>(clamped * Scalar(255) + Scalar(0.5)));
+// How to find the code without a search: light is cut into cells of 1/4096, and no cell holds two thresholds.
+//   entry = (code at the cell's beginning + 1) 2^24 - (threshold, or the end, in 2^-23 of the cell)   mod
+//   2^32
+// Adding a place in the cell, in the same unit, carries into the code exactly when the threshold is reached.
+inline constexpr int srgb_cells = 4096;
+struct SrgbTable {
+    std::uint32_t cell[srgb_cells + 1];  // the last one: light 1
+};
+extern const SrgbTable srgb_table;
+
+// Codes 0..255. Not-a-number is written as 0, infinities as 0 and 255.
+template <class Real>
+Real clamped_light(Real c) {
+    using pipeline::select;
+    const Real positive = select(c > 0, c, Real(0));
+    return select(positive < 1, positive, Real(1));
 }
-std::uint8_t to_srgb8(Scalar c);
+template <class Real>
+Whole<Real> raw_code(Real c) {
+    using pipeline::truncated;
+    return truncated(clamped_light(c) * Scalar(255) + Scalar(0.5));
+}
+template <class Real>
+Whole<Real> srgb_code(Real c) {
+    using pipeline::look_up, pipeline::to_real, pipeline::to_whole, pipeline::to_word, pipeline::truncated;
+    const Real place = clamped_light(c) * Scalar(srgb_cells);  // exact
+    const Whole<Real> cell = truncated(place);
+    const Word<Real> rest = to_word(truncated((place - to_real(cell)) * Scalar(1 << 23)));
+    return to_whole((look_up(srgb_table.cell, cell) + rest) >> 24);
+}
+
+inline std::uint8_t to_raw8(Scalar c) { return static_cast<std::uint8_t>(raw_code(c)); }
+inline std::uint8_t to_srgb8(Scalar c) { return static_cast<std::uint8_t>(srgb_code(c)); }
 
 inline Rgba8 to_rgba8(LinearRgb c, Output output) {
     if (output == Output::Raw) return {to_raw8(c.r), to_raw8(c.g), to_raw8(c.b), 255};
     return {to_srgb8(c.r), to_srgb8(c.g), to_srgb8(c.b), 255};
+}
+// The four bytes of Rgba8 in one number, red the lowest.
+template <class Real>
+Word<Real> packed_rgba8(const RgbOf<Real>& c, Output output) {
+    const auto pack = [](const Whole<Real>& r, const Whole<Real>& g, const Whole<Real>& b) {
+        using pipeline::to_word;
+        return to_word(r) | (to_word(g) << 8) | (to_word(b) << 16) | (to_word(Whole<Real>(255)) << 24);
+    };
+    return output == Output::Raw ? pack(raw_code(c.r), raw_code(c.g), raw_code(c.b))
+                                 : pack(srgb_code(c.r), srgb_code(c.g), srgb_code(c.b));
 }
 
 // The linear light that a stored sRGB code means, in steps of 1/65535 (rounded to nearest).

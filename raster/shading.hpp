@@ -23,8 +23,11 @@ namespace relevo::raster {
 
 using pipeline::Facing;
 using pipeline::Lighting;
+using pipeline::Mask;
 using pipeline::Reflection;
+using pipeline::ReflectionOf;
 using pipeline::Vec3;
+using pipeline::Vec3Of;
 
 // What is the same all over a model.
 struct Surface {
@@ -36,15 +39,17 @@ struct Surface {
 };
 
 // A vertex in eye space, its normal of unit length (or zero) and already turned to the side that is shaded.
-struct ShadedVertex {
-    Vec3 position, normal;
-    Vec2 uv;
+template <class Real>
+struct ShadedVertexOf {
+    Vec3Of<Real> position, normal;
+    Vec2Of<Real> uv;
 };
+using ShadedVertex = ShadedVertexOf<Scalar>;
 
-template <bool Textured>
-inline LinearRgb base_color(const Surface& surface, const Scalar* uv) {
+template <bool Textured, class Real>
+RgbOf<Real> base_color(const Surface& surface, const Real* uv) {
     if constexpr (Textured)
-        return sample(*surface.texture, surface.filter, {uv[0], uv[1]});
+        return sample<Real>(*surface.texture, surface.filter, {uv[0], uv[1]});
     else
         return surface.color;
 }
@@ -57,13 +62,15 @@ struct Unlit {
     static constexpr std::size_t size = Textured ? 2 : 0;
     using Face = NoFace;
 
-    static std::array<Scalar, size> corner(const Surface&, const ShadedVertex& v) {
+    template <class Real>
+    static std::array<Real, size> corner(const Surface&, const ShadedVertexOf<Real>& v) {
         if constexpr (Textured)
             return {v.uv.x, v.uv.y};
         else
             return {};
     }
-    static LinearRgb pixel(const Surface& surface, const Face&, const Scalar* varying) {
+    template <class Real>
+    static RgbOf<Real> pixel(const Surface& surface, const Face&, const Real* varying) {
         return base_color<Textured>(surface, varying);
     }
 };
@@ -73,7 +80,8 @@ struct Flat : Unlit<Textured> {
     static constexpr bool needs_face = true;
     using Face = Reflection;
 
-    static LinearRgb pixel(const Surface& surface, const Face& face, const Scalar* varying) {
+    template <class Real>
+    static RgbOf<Real> pixel(const Surface& surface, const ReflectionOf<Real>& face, const Real* varying) {
         return reflected(base_color<Textured>(surface, varying), face);
     }
 };
@@ -84,16 +92,18 @@ struct Gouraud {
     static constexpr std::size_t size = Textured ? 8 : 3;
     using Face = NoFace;
 
-    static std::array<Scalar, size> corner(const Surface& surface, const ShadedVertex& v) {
-        const auto [amount, gloss] = reflect(surface.lighting, v.position, v.normal);
+    template <class Real>
+    static std::array<Real, size> corner(const Surface& surface, const ShadedVertexOf<Real>& v) {
+        const auto [amount, gloss] = pipeline::reflect<Real>(surface.lighting, v.position, v.normal);
         if constexpr (Textured) {
             return {amount.r, amount.g, amount.b, gloss.r, gloss.g, gloss.b, v.uv.x, v.uv.y};
         } else {
-            const LinearRgb c = reflected(surface.color, {amount, gloss});
+            const RgbOf<Real> c = pipeline::reflected<Real>(surface.color, {amount, gloss});
             return {c.r, c.g, c.b};
         }
     }
-    static LinearRgb pixel(const Surface& surface, const Face&, const Scalar* a) {
+    template <class Real>
+    static RgbOf<Real> pixel(const Surface& surface, const Face&, const Real* a) {
         if constexpr (Textured)
             return reflected(base_color<true>(surface, a + 6), {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}});
         else
@@ -107,32 +117,45 @@ struct Phong {
     static constexpr std::size_t size = Textured ? 8 : 6;
     using Face = NoFace;
 
-    static std::array<Scalar, size> corner(const Surface&, const ShadedVertex& v) {
-        std::array<Scalar, size> a{v.position.x, v.position.y, v.position.z,
-                                   v.normal.x,   v.normal.y,   v.normal.z};
+    template <class Real>
+    static std::array<Real, size> corner(const Surface&, const ShadedVertexOf<Real>& v) {
+        std::array<Real, size> a{v.position.x, v.position.y, v.position.z,
+                                 v.normal.x,   v.normal.y,   v.normal.z};
         if constexpr (Textured) a[6] = v.uv.x, a[7] = v.uv.y;
         return a;
     }
-    static LinearRgb pixel(const Surface& surface, const Face&, const Scalar* a) {
-        const Vec3 normal = pipeline::normalize({a[3], a[4], a[5]});
+    template <class Real>
+    static RgbOf<Real> pixel(const Surface& surface, const Face&, const Real* a) {
+        const Vec3Of<Real> normal = pipeline::normalize<Real>({a[3], a[4], a[5]});
         return reflected(base_color<Textured>(surface, a + 6),
-                         reflect(surface.lighting, {a[0], a[1], a[2]}, normal));
+                         pipeline::reflect<Real>(surface.lighting, {a[0], a[1], a[2]}, normal));
     }
 };
 
 // Flat shading's light, at the centroid of a face given by its corners in eye space, counter-clockwise seen
-// from outside. A back face seen from behind is lit by the reversed normal when the surface is two-sided. The
-// corner with the smallest coordinates comes first, so that the caller's first corner does not change a bit.
-inline Reflection reflect_face(const Surface& surface, std::array<Vec3, 3> p, Facing facing, bool mirrored) {
-    const auto before = [](const Vec3& a, const Vec3& b) {
-        return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+// from outside. Where `back` and the surface is two-sided, the reversed normal is lit. The corner with the
+// smallest coordinates comes first, so that the caller's first corner does not change a bit.
+template <class Real>
+ReflectionOf<Real> reflect_face(const Surface& surface, const std::array<Vec3Of<Real>, 3>& p,
+                                const Mask<Real>& back, bool mirrored) {
+    using Vector = Vec3Of<Real>;
+    using pipeline::select;
+    const auto before = [](const Vector& a, const Vector& b) {
+        return a.x < b.x || (a.x == b.x && (a.y < b.y || (a.y == b.y && a.z < b.z)));
     };
-    const int first = before(p[1], p[0]) ? (before(p[2], p[1]) ? 2 : 1) : (before(p[2], p[0]) ? 2 : 0);
-    std::rotate(p.begin(), p.begin() + first, p.end());
-    const Vec3 normal = pipeline::normalize(pipeline::cross(p[1] - p[0], p[2] - p[0]));
-    const bool reversed = (surface.two_sided && facing == Facing::Back) != mirrored;
-    const Vec3 centroid = (p[0] + (p[1] + p[2])) * Scalar(1.0 / 3);
-    return reflect(surface.lighting, centroid, reversed ? -normal : normal);
+    const Mask<Real> one = before(p[1], p[0]);  // comes before corner 0
+    const Mask<Real> two = before(p[2], select(one, p[1], p[0]));
+    const Vector a = select(two, p[2], select(one, p[1], p[0]));
+    const Vector b = select(two, p[0], select(one, p[2], p[1]));
+    const Vector c = select(two, p[1], select(one, p[0], p[2]));
+    const Vector out = pipeline::normalize<Real>(pipeline::cross<Real>(b - a, c - a));
+    const Vector normal = surface.two_sided ? select(back, -out, out) : out;
+    const Vector centroid = (a + (b + c)) * Scalar(1.0 / 3);
+    return pipeline::reflect<Real>(surface.lighting, centroid, mirrored ? -normal : normal);
+}
+inline Reflection reflect_face(const Surface& surface, const std::array<Vec3, 3>& p, Facing facing,
+                               bool mirrored) {
+    return reflect_face<Scalar>(surface, p, facing == Facing::Back, mirrored);
 }
 
 }  // namespace relevo::raster

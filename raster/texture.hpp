@@ -10,13 +10,17 @@
 #include <vector>
 
 #include "pipeline/color.hpp"
-#include "pipeline/scalar.hpp"
+#include "pipeline/lane_vector.hpp"
 
 namespace relevo::raster {
 
 using pipeline::LinearRgb;
+using pipeline::RgbOf;
 using pipeline::Scalar;
 using pipeline::Vec2;
+using pipeline::Vec2Of;
+using pipeline::Whole;
+using pipeline::Word;
 
 // Texel coordinates are kept in 1/256 texel; with 16384 texels a side they stay exact in float.
 inline constexpr int max_texture_size = 16384;
@@ -40,54 +44,75 @@ Texture make_texture(int width, int height, int channels, std::span<const std::u
                      Encoding encoding);
 
 // The two texels of a row or column whose centres a coordinate lies between, and how far towards the second.
-struct TexelPosition {
-    int low, high;         // both in 0..size-1
-    std::uint32_t weight;  // of `high`, in 1/256: 0..255
+template <class Real>
+struct TexelPositionOf {
+    Whole<Real> low, high;  // both in 0..size-1
+    Word<Real> weight;      // of `high`, in 1/256: 0..255
 };
+using TexelPosition = TexelPositionOf<Scalar>;
 
 // The fraction of a repeating coordinate, in [0, 1]; u = -1e-9f gives exactly 1. Not a number counts as 0.
-inline Scalar repeat(Scalar u) {
-    const Scalar f = u - std::floor(u);
-    return f >= 0 ? f : 0;
+template <class Real>
+Real repeat(Real u) {
+    using pipeline::floor, pipeline::select;
+    const Real f = u - floor(u);
+    return select(f >= 0, f, Real(0));
 }
 
-inline TexelPosition texel_position(Scalar u, int size) {
-    const int t = static_cast<int>(repeat(u) * static_cast<Scalar>(256 * size) + Scalar(0.5)) - 128;
-    const int texel = t >> 8;
-    const int low = texel < 0 ? size - 1 : texel;
-    return {low, low + 1 == size ? 0 : low + 1, static_cast<std::uint32_t>(t & 255)};
+template <class Real>
+TexelPositionOf<Real> texel_position(Real u, int size) {
+    using pipeline::select, pipeline::to_word, pipeline::truncated;
+    const Whole<Real> t = truncated(repeat(u) * static_cast<Scalar>(256 * size) + Scalar(0.5)) - 128;
+    const Whole<Real> texel = t >> 8;
+    const Whole<Real> low = select(texel < 0, Whole<Real>(size - 1), texel), next = low + 1;
+    return {low, select(next == size, Whole<Real>(0), next), to_word(t & 255)};
 }
 
-inline LinearRgb sample_nearest(const Texture& texture, Vec2 uv) {
-    const auto texel = [](Scalar u, int size) {
-        const int t = static_cast<int>(repeat(u) * static_cast<Scalar>(size));
-        return std::size_t(t == size ? 0 : t);
+// The stored numbers of the texel `index` (y width + x) of each lane.
+template <class Real>
+struct TexelOf {
+    Word<Real> r, g, b;
+};
+inline TexelOf<Scalar> texel(const Texture& texture, std::int32_t index) {
+    const auto& t = texture.texels[std::size_t(index)];
+    return {t[0], t[1], t[2]};
+}
+
+template <class Real = Scalar>
+RgbOf<Real> sample_nearest(const Texture& texture, const Vec2Of<Real>& uv) {
+    using pipeline::select, pipeline::to_real, pipeline::truncated;
+    const auto place = [](Real u, int size) {
+        const Whole<Real> t = truncated(repeat(u) * static_cast<Scalar>(size));
+        return select(t == size, Whole<Real>(0), t);
     };
-    const std::size_t x = texel(uv.x, texture.width), y = texel(uv.y, texture.height);
-    const auto& t = texture.texels[y * std::size_t(texture.width) + x];
-    return {static_cast<Scalar>(t[0]) * texture.unit, static_cast<Scalar>(t[1]) * texture.unit,
-            static_cast<Scalar>(t[2]) * texture.unit};
+    const Whole<Real> x = place(uv.x, texture.width), y = place(uv.y, texture.height);
+    const TexelOf<Real> t = texel(texture, y * texture.width + x);
+    return {to_real(t.r) * texture.unit, to_real(t.g) * texture.unit, to_real(t.b) * texture.unit};
 }
 
-// The weighted sum is done in integers (16 + 8 + 8 bits), so it is exact and its order does not matter; one
-// conversion and one product follow. A constant texture gives a constant picture: the weights sum to 65536.
-inline LinearRgb sample_bilinear(const Texture& texture, Vec2 uv) {
-    const TexelPosition x = texel_position(uv.x, texture.width), y = texel_position(uv.y, texture.height);
-    const auto* low_row = texture.texels.data() + std::size_t(y.low) * std::size_t(texture.width);
-    const auto* high_row = texture.texels.data() + std::size_t(y.high) * std::size_t(texture.width);
-    const auto &t00 = low_row[x.low], &t10 = low_row[x.high], &t01 = high_row[x.low], &t11 = high_row[x.high];
-    const std::uint32_t w11 = x.weight * y.weight, w10 = (x.weight << 8) - w11, w01 = (y.weight << 8) - w11,
-                        w00 = 65536 - w10 - w01 - w11;
-    std::array<std::uint32_t, 4> sum;
-    for (std::size_t c = 0; c < 4; ++c)
-        sum[c] = (w00 * t00[c] + w10 * t10[c]) + (w01 * t01[c] + w11 * t11[c]);
+// The weighted sum is done in integers (16 + 8 + 8 bits) mod 2^32, so it is exact and its order does not
+// matter; one conversion and one product follow. A constant texture gives a constant picture.
+template <class Real = Scalar>
+RgbOf<Real> sample_bilinear(const Texture& texture, const Vec2Of<Real>& uv) {
+    using pipeline::to_real;
+    const auto x = texel_position(Real(uv.x), texture.width), y = texel_position(Real(uv.y), texture.height);
+    const Whole<Real> low_row = y.low * texture.width, high_row = y.high * texture.width;
+    const TexelOf<Real> t00 = texel(texture, low_row + x.low), t10 = texel(texture, low_row + x.high),
+                        t01 = texel(texture, high_row + x.low), t11 = texel(texture, high_row + x.high);
+    const auto between = [](Word<Real> a, Word<Real> b, Word<Real> weight) {
+        return (a << 8) + (b - a) * weight;
+    };
     const Scalar unit = texture.unit * Scalar(1.0 / 65536);
-    const auto light = [&](std::uint32_t steps) { return static_cast<Scalar>(std::int64_t{steps}) * unit; };
-    return {light(sum[0]), light(sum[1]), light(sum[2])};
+    const auto light = [&](Word<Real> c00, Word<Real> c10, Word<Real> c01, Word<Real> c11) {
+        return to_real(between(between(c00, c10, x.weight), between(c01, c11, x.weight), y.weight)) * unit;
+    };
+    return {light(t00.r, t10.r, t01.r, t11.r), light(t00.g, t10.g, t01.g, t11.g),
+            light(t00.b, t10.b, t01.b, t11.b)};
 }
 
-inline LinearRgb sample(const Texture& texture, Filter filter, Vec2 uv) {
-    return filter == Filter::Nearest ? sample_nearest(texture, uv) : sample_bilinear(texture, uv);
+template <class Real = Scalar>
+RgbOf<Real> sample(const Texture& texture, Filter filter, const Vec2Of<Real>& uv) {
+    return filter == Filter::Nearest ? sample_nearest<Real>(texture, uv) : sample_bilinear<Real>(texture, uv);
 }
 
 }  // namespace relevo::raster

@@ -17,13 +17,20 @@
 
 namespace relevo::raster {
 
+using pipeline::BigWhole;
 using pipeline::Scalar;
+using pipeline::select;
 using pipeline::SnappedCorner;
+using pipeline::SnappedCornerOf;
+using pipeline::to_big;
+using pipeline::Whole;
 
 // Twice the signed area in the y-down window, in 1/65536 pixel: negative when counter-clockwise as seen.
-constexpr std::int64_t area2(const SnappedCorner& a, const SnappedCorner& b, const SnappedCorner& c) {
-    const std::int64_t bx = std::int64_t{b.x} - a.x, by = std::int64_t{b.y} - a.y;
-    const std::int64_t cx = std::int64_t{c.x} - a.x, cy = std::int64_t{c.y} - a.y;
+template <class Real>
+constexpr BigWhole<Real> area2(const SnappedCornerOf<Real>& a, const SnappedCornerOf<Real>& b,
+                               const SnappedCornerOf<Real>& c) {
+    const BigWhole<Real> bx = to_big(b.x - a.x), by = to_big(b.y - a.y);
+    const BigWhole<Real> cx = to_big(c.x - a.x), cy = to_big(c.y - a.y);
     return bx * cy - by * cx;
 }
 
@@ -44,34 +51,42 @@ constexpr CornerOrder canonical_order(const SnappedCorner& a, const SnappedCorne
     return positive_area ? CornerOrder{{first, next, last}} : CornerOrder{{first, last, next}};
 }
 
-struct Triangle {
-    SnappedCorner corner[3];          // canonical order
-    std::int64_t area;                // twice the area, > 0
-    std::int64_t dx1, dy1, dx2, dy2;  // corner k - corner 0
-    std::int64_t bias[3];             // 0 for a top or left edge, else 1: covered means E - bias >= 0
+template <class Real>
+struct TriangleOf {
+    SnappedCornerOf<Real> corner[3];    // canonical order
+    BigWhole<Real> area;                // twice the area, > 0
+    BigWhole<Real> dx1, dy1, dx2, dy2;  // corner k - corner 0
+    BigWhole<Real> bias[3];             // 0 for a top or left edge, else 1: covered means E - bias >= 0
 };
+using Triangle = TriangleOf<Scalar>;
 
 // The edge opposite to a corner, with direction (dx, dy): it goes up (left) or to the right along a row
 // (top).
-constexpr bool is_top_left(std::int64_t dx, std::int64_t dy) { return dy < 0 || (dy == 0 && dx > 0); }
-
-constexpr Triangle make_triangle(const SnappedCorner& c0, const SnappedCorner& c1, const SnappedCorner& c2) {
-    Triangle t{{c0, c1, c2},
-               area2(c0, c1, c2),
-               std::int64_t{c1.x} - c0.x,
-               std::int64_t{c1.y} - c0.y,
-               std::int64_t{c2.x} - c0.x,
-               std::int64_t{c2.y} - c0.y,
-               {0, 0, 0}};
-    t.bias[0] = is_top_left(t.dx2 - t.dx1, t.dy2 - t.dy1) ? 0 : 1;
-    t.bias[1] = is_top_left(-t.dx2, -t.dy2) ? 0 : 1;
-    t.bias[2] = is_top_left(t.dx1, t.dy1) ? 0 : 1;
-    return t;
+template <class Number>
+constexpr auto is_top_left(const Number& dx, const Number& dy) {
+    return dy < 0 || (dy == 0 && dx > 0);
 }
 
-struct EdgeValues {
-    std::int64_t e0, e1, e2;  // exact; their sum is the area
+template <class Real>
+constexpr TriangleOf<Real> make_triangle(const SnappedCornerOf<Real>& c0, const SnappedCornerOf<Real>& c1,
+                                         const SnappedCornerOf<Real>& c2) {
+    const auto bias = [](const Whole<Real>& dx, const Whole<Real>& dy) {
+        return to_big(select(is_top_left(dx, dy), Whole<Real>(0), Whole<Real>(1)));
+    };
+    return {{c0, c1, c2},
+            area2(c0, c1, c2),
+            to_big(c1.x - c0.x),
+            to_big(c1.y - c0.y),
+            to_big(c2.x - c0.x),
+            to_big(c2.y - c0.y),
+            {bias(c2.x - c1.x, c2.y - c1.y), bias(c0.x - c2.x, c0.y - c2.y), bias(c1.x - c0.x, c1.y - c0.y)}};
+}
+
+template <class Real>
+struct EdgeValuesOf {
+    BigWhole<Real> e0, e1, e2;  // exact; their sum is the area
 };
+using EdgeValues = EdgeValuesOf<Scalar>;
 
 constexpr EdgeValues edge_values(const Triangle& t, int x, int y) {
     const std::int64_t px = std::int64_t{x} * 256 + 128 - t.corner[0].x,

@@ -2,6 +2,7 @@
 //
 //   Floats   f0 f1 f2 ... fN-1                 N = 4 (SSE4), 8 (AVX2), 16 (AVX-512)
 //   Ints     i0 i1 i2 ... iN-1
+//   Words    w0 w1 w2 ... wN-1                 unsigned, sums mod 2^32
 //   Doubles  d0 ... dN/2-1 | dN/2 ... dN-1     two registers: low and high half of the lanes
 //   Bools    one truth a lane
 //
@@ -16,6 +17,8 @@
 
 #include "pipeline/color.hpp"
 #include "pipeline/lane.hpp"
+#include "pipeline/lane_vector.hpp"
+#include "raster/texture.hpp"
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
@@ -41,6 +44,12 @@ struct Ints {
     RELEVO_LANE explicit Ints(hn::Vec<TagI> raw) : v(raw) {}
     RELEVO_LANE Ints(std::int32_t all_lanes) : v(hn::Set(TagI(), all_lanes)) {}
 };
+struct Words {
+    hn::Vec<TagU> v;
+    Words() = default;
+    RELEVO_LANE explicit Words(hn::Vec<TagU> raw) : v(raw) {}
+    RELEVO_LANE Words(std::uint32_t all_lanes) : v(hn::Set(TagU(), all_lanes)) {}
+};
 struct Floats {
     hn::Vec<TagF> v;
     Floats() = default;
@@ -53,6 +62,23 @@ struct Doubles {
     RELEVO_LANE Doubles(hn::Vec<TagD> l, hn::Vec<TagD> h) : low(l), high(h) {}
     RELEVO_LANE Doubles(double all_lanes) : low(hn::Set(TagD(), all_lanes)), high(low) {}
 };
+
+}  // namespace relevo::raster::fast::HWY_NAMESPACE
+
+namespace relevo::pipeline {
+
+template <>
+struct LaneTypes<raster::fast::HWY_NAMESPACE::Floats> {
+    using Mask = raster::fast::HWY_NAMESPACE::Bools;
+    using Wide = raster::fast::HWY_NAMESPACE::Doubles;
+    using Whole = raster::fast::HWY_NAMESPACE::Ints;
+    using BigWhole = raster::fast::HWY_NAMESPACE::Doubles;
+    using Word = raster::fast::HWY_NAMESPACE::Words;
+};
+
+}  // namespace relevo::pipeline
+
+namespace relevo::raster::fast::HWY_NAMESPACE {
 
 // ------------------------------------------------------------------------------------------------ truths
 RELEVO_LANE Bools operator&(Bools a, Bools b) { return {hn::And(a.m, b.m)}; }
@@ -86,6 +112,7 @@ RELEVO_LANE Bools operator<=(Floats a, Floats b) { return {hn::Le(a.v, b.v)}; }
 RELEVO_LANE Bools operator==(Floats a, Floats b) { return {hn::Eq(a.v, b.v)}; }
 RELEVO_LANE Floats sqrt(Floats a) { return Floats(hn::Sqrt(a.v)); }
 RELEVO_LANE Floats floor(Floats a) { return Floats(hn::Floor(a.v)); }
+RELEVO_LANE Bools is_finite(Floats a) { return {hn::IsFinite(a.v)}; }
 RELEVO_LANE Floats select(Bools mask, Floats yes, Floats no) {
     return Floats(hn::IfThenElse(mask.m, yes.v, no.v));
 }
@@ -106,6 +133,7 @@ template <int by>
 RELEVO_LANE Ints shift_right(Ints a) {
     return Ints(hn::ShiftRight<by>(a.v));
 }
+RELEVO_LANE Ints operator>>(Ints a, int by) { return Ints(hn::ShiftRightSame(a.v, by)); }
 RELEVO_LANE Bools operator>(Ints a, Ints b) { return float_mask(hn::Gt(a.v, b.v)); }
 RELEVO_LANE Bools operator<(Ints a, Ints b) { return float_mask(hn::Lt(a.v, b.v)); }
 RELEVO_LANE Bools operator==(Ints a, Ints b) { return float_mask(hn::Eq(a.v, b.v)); }
@@ -115,6 +143,13 @@ RELEVO_LANE Ints select(Bools mask, Ints yes, Ints no) {
     return Ints(hn::IfThenElse(int_mask(mask), yes.v, no.v));
 }
 RELEVO_LANE Bools is_negative(Ints a) { return a < Ints(0); }
+RELEVO_LANE Words operator+(Words a, Words b) { return Words(hn::Add(a.v, b.v)); }
+RELEVO_LANE Words operator-(Words a, Words b) { return Words(hn::Sub(a.v, b.v)); }
+RELEVO_LANE Words operator*(Words a, Words b) { return Words(hn::Mul(a.v, b.v)); }
+RELEVO_LANE Words operator&(Words a, Words b) { return Words(hn::And(a.v, b.v)); }
+RELEVO_LANE Words operator|(Words a, Words b) { return Words(hn::Or(a.v, b.v)); }
+RELEVO_LANE Words operator<<(Words a, int by) { return Words(hn::ShiftLeftSame(a.v, by)); }
+RELEVO_LANE Words operator>>(Words a, int by) { return Words(hn::ShiftRightSame(a.v, by)); }
 RELEVO_LANE Ints lane_numbers() { return Ints(hn::Iota(TagI(), 0)); }  // 0 1 2 ... N-1
 
 // ------------------------------------------------------------------------------------------------ doubles
@@ -148,6 +183,7 @@ RELEVO_LANE Bools operator>(Doubles a, Doubles b) { return is_negative(b - a); }
 RELEVO_LANE Bools operator<(Doubles a, Doubles b) { return is_negative(a - b); }
 
 // ------------------------------------------------------------------------------------------- conversions
+RELEVO_LANE Doubles to_wide(Doubles a) { return a; }
 RELEVO_LANE Doubles to_wide(Floats a) {
     return {hn::PromoteTo(TagD(), hn::LowerHalf(HalfF(), a.v)),
             hn::PromoteTo(TagD(), hn::UpperHalf(HalfF(), a.v))};
@@ -162,8 +198,16 @@ RELEVO_LANE Floats rounded(Doubles a) {
 RELEVO_LANE Ints truncated(Doubles a) {  // of numbers within int32
     return Ints(hn::Combine(TagI(), hn::DemoteTo(HalfI(), a.high), hn::DemoteTo(HalfI(), a.low)));
 }
+RELEVO_LANE Doubles to_big(Ints a) { return to_wide(a); }
+RELEVO_LANE Ints nearest(Doubles a) { return truncated(round_to_even(a)); }  // of numbers within int32
 RELEVO_LANE Ints truncated(Floats a) { return Ints(hn::ConvertTo(TagI(), a.v)); }
 RELEVO_LANE Floats to_real(Ints a) { return Floats(hn::ConvertTo(TagF(), a.v)); }
+RELEVO_LANE Words to_word(Ints a) { return Words(hn::BitCast(TagU(), a.v)); }
+RELEVO_LANE Ints to_whole(Words a) { return Ints(hn::BitCast(TagI(), a.v)); }
+// Two halves of 16 bits are exact in float, so the sum alone rounds.
+RELEVO_LANE Floats to_real(Words a) {
+    return to_real(to_whole(a >> 16)) * 65536.0f + to_real(to_whole(a & 65535u));
+}
 RELEVO_LANE Ints float_bits(Floats a) { return Ints(hn::BitCast(TagI(), a.v)); }
 RELEVO_LANE Floats bits_float(Ints a) { return Floats(hn::BitCast(TagF(), a.v)); }
 
@@ -193,6 +237,16 @@ RELEVO_LANE Ints gather(const std::uint32_t* base, Ints index) {
     return gather(reinterpret_cast<const std::int32_t*>(base), index);
 }
 
+RELEVO_LANE Words look_up(const std::uint32_t* table, Ints index) {
+    return Words(hn::GatherIndex(TagU(), table, index.v));
+}
+// A texel is four numbers of 16 bits, so two words: red and green, blue and nothing.
+RELEVO_LANE TexelOf<Floats> texel(const Texture& texture, Ints index) {
+    const auto* words = reinterpret_cast<const std::uint32_t*>(texture.texels.data());
+    const Words red_green = look_up(words, index + index), blue = look_up(words + 1, index + index);
+    return {red_green & 0xffffu, red_green >> 16, blue & 0xffffu};
+}
+
 // f of each lane, one after the other: for the rare formula that is only written for one.
 template <class F>
 RELEVO_LANE Floats each_lane(F&& f, Floats x) {
@@ -201,16 +255,15 @@ RELEVO_LANE Floats each_lane(F&& f, Floats x) {
     for (float& value : lane) value = f(value);
     return load(lane);
 }
+template <class F>
+RELEVO_LANE pipeline::LaneVec3<Floats> each_lane(F&& f, const pipeline::LaneVec3<Floats>& p) {
+    alignas(64) float x[lanes], y[lanes], z[lanes];
+    store(p.x, x), store(p.y, y), store(p.z, z);
+    for (int k = 0; k < lanes; ++k) {
+        const pipeline::Vec3 of_lane = f(pipeline::Vec3(x[k], y[k], z[k]));
+        x[k] = of_lane.x, y[k] = of_lane.y, z[k] = of_lane.z;
+    }
+    return {load(x), load(y), load(z)};
+}
 
 }  // namespace relevo::raster::fast::HWY_NAMESPACE
-
-namespace relevo::pipeline {
-
-template <>
-struct LaneTypes<raster::fast::HWY_NAMESPACE::Floats> {
-    using Mask = raster::fast::HWY_NAMESPACE::Bools;
-    using Wide = raster::fast::HWY_NAMESPACE::Doubles;
-    using Whole = raster::fast::HWY_NAMESPACE::Ints;
-};
-
-}  // namespace relevo::pipeline
