@@ -6,6 +6,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdio>
@@ -72,6 +73,7 @@ std::string fragment_shader(Mode mode) {
         "in vec3 eye_position, eye_normal, corner_color; in vec2 corner_uv; uniform sampler2D image;\n"
         "out vec4 color; void main() {\n";
     switch (mode) {
+        case Mode::Unlit:
         case Mode::Flat:
             return text + "color = vec4(base_color, 1.0); }";
         case Mode::Gouraud:
@@ -209,7 +211,10 @@ raster::Image<raster::Rgba8> GlPeer::picture() const {
 
 std::string GlPeer::renderer() {
     open_context_once();
-    return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    const auto text = [](GLenum what) {
+        return std::string(reinterpret_cast<const char*>(glGetString(what)));
+    };
+    return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
 }
 
 }  // namespace relevo::bench

@@ -3,16 +3,11 @@
 #pragma once
 #include <string>
 
+#include "raster/image.hpp"
+#include "raster/output.hpp"
 #include "tests/bench/workload.hpp"
 
 namespace relevo::bench {
-
-enum class Mode {
-    Flat,
-    Gouraud,
-    Phong,
-    Textured
-};  // flat: one colour and the depth test; textured: Phong, bilinear
 
 class GlPeer {
   public:
@@ -24,7 +19,7 @@ class GlPeer {
 
     void draw(int frame);  // returns when the picture stands in memory
     raster::Image<raster::Rgba8> picture() const;
-    static std::string renderer();
+    static std::string renderer();  // its name and versions
 
   private:
     const Workload& workload_;

@@ -8,7 +8,7 @@ namespace relevo::bench {
 using namespace pipeline;
 
 Workload torus_workload(const std::string& name, int ring, int round) {
-    return {name, *scene::torus(ring, round, 0.45), true};
+    return {name, scene::torus_mesh(ring, round, 0.45), true};
 }
 
 Workload fill_workload() {

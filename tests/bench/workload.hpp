@@ -21,6 +21,11 @@ struct Workload {
     bool turns;
 };
 
+// How a surface is coloured. OpenGL's peer of Unlit and of Flat is one colour: it has no light for a face.
+enum class Mode { Unlit, Flat, Gouraud, Phong, Textured };
+inline constexpr const char* mode_names[] = {"unlit", "flat", "Gouraud", "Phong", "Phong + bilinear"};
+inline const char* name(Mode mode) { return mode_names[static_cast<int>(mode)]; }
+
 Workload torus_workload(const std::string& name, int ring, int round);
 Workload fill_workload();
 
