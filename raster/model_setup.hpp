@@ -11,6 +11,11 @@
 
 namespace relevo::raster {
 
+using pipeline::row_times_direction;
+using pipeline::row_times_point;
+using pipeline::Vec2Of;
+using pipeline::Vec3Of;
+
 struct ModelSetup {
     Surface surface;
     bool both_sides;  // back faces are drawn and lit by their own normals
@@ -45,16 +50,31 @@ inline std::vector<pipeline::EyeLight> lights_in_eye_space(const Scene& scene) {
     return lights;
 }
 
-// The numbers that a vertex carries to the faces that show their front or their back.
-template <class Program>
-std::array<Scalar, Program::size> varying_of(const ModelSetup& setup, const pipeline::Vertex& v, bool back) {
-    ShadedVertex shaded{{0, 0, 0}, {0, 0, 0}, v.uv};
+// Rows of a map times the point or direction of each lane.
+template <class Real, class Rows>
+Vec3Of<Real> moved_point(const Rows& row, const Vec3Of<Real>& p) {
+    return {row_times_point(row[0], p), row_times_point(row[1], p), row_times_point(row[2], p)};
+}
+template <class Real, class Rows>
+Vec3Of<Real> moved_direction(const Rows& row, const Vec3Of<Real>& d) {
+    return {row_times_direction(row[0], d), row_times_direction(row[1], d), row_times_direction(row[2], d)};
+}
+
+// The numbers that a vertex, given in object space, carries to the faces that show their front or their back.
+template <class Program, class Real>
+std::array<Real, Program::size> varying_of(const ModelSetup& setup, const Vec3Of<Real>& position,
+                                           const Vec3Of<Real>& normal, const Vec2Of<Real>& uv, bool back) {
+    ShadedVertexOf<Real> shaded{{0, 0, 0}, {0, 0, 0}, uv};
     if constexpr (Program::needs_eye) {
-        shaded.position = (setup.eye_from_object * v.position).v;
-        shaded.normal = pipeline::normalize((setup.normal_map * v.normal).v);
+        shaded.position = moved_point<Real>(setup.eye_from_object.row, position);
+        shaded.normal = pipeline::normalize<Real>(moved_direction<Real>(setup.normal_map.row, normal));
         if (back) shaded.normal = -shaded.normal;
     }
-    return Program::corner(setup.surface, shaded);
+    return Program::template corner<Real>(setup.surface, shaded);
+}
+template <class Program>
+std::array<Scalar, Program::size> varying_of(const ModelSetup& setup, const pipeline::Vertex& v, bool back) {
+    return varying_of<Program, Scalar>(setup, v.position.v, v.normal.v, v.uv, back);
 }
 
 // Calls visit(Program{}) with the program of a shading, textured or not.

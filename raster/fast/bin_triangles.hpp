@@ -29,8 +29,7 @@ RELEVO_LANE Bools covers_centre(const LaneCorner& a, const LaneCorner& b, const 
     const auto inside = [&](const LaneCorner& s, const LaneCorner& t) {
         const Ints dx = t.x - s.x, dy = t.y - s.y;
         const Ints value = dx * (py - s.y) - dy * (px - s.x);
-        const Bools top_left = is_negative(dy) | ((dy == Ints(0)) & (dx > Ints(0)));
-        return !is_negative(select(top_left, value, value - Ints(1)));
+        return !is_negative(select(is_top_left(dx, dy), value, value - Ints(1)));
     };
     return inside(p, q) & inside(q, r) & inside(r, p);
 }
@@ -41,19 +40,19 @@ RELEVO_LANE void bin_group(const DrawState& draw, Chunk& chunk, const ModelState
                            int tile_bits) {
     const LaneCorner a = load_corners(corner0), b = load_corners(corner1), c = load_corners(corner2);
     const Bools valid = first_lanes(count_in_group);
-    const Bools coded = (a.rw == Floats(0.f) | b.rw == Floats(0.f) | c.rw == Floats(0.f)) & valid;
+    const Bools coded = (a.rw == 0 || b.rw == 0 || c.rw == 0) && valid;
 
     const Ints left = min(a.x, min(b.x, c.x)), right = max(a.x, max(b.x, c.x));
     const Ints top = min(a.y, min(b.y, c.y)), bottom = max(a.y, max(b.y, c.y));
-    const Doubles area = area2(a, b, c);
-    const Ints upper = upper_words(area);  // all 0 but the sign for an area of 0 or -0, else |area| >= 1
+    const Ints upper =
+        upper_words(area2<Floats>(a, b, c));  // all 0 but the sign for an area of 0 or -0, else |area| >= 1
     const Bools zero = shift_left<1>(upper) == Ints(0), negative = is_negative(upper);
 
     const Ints x0 = max(shift_right<8>(left + Ints(127)), Ints(0)),
                y0 = max(shift_right<8>(top + Ints(127)), Ints(0)),
                x1 = min(shift_right<8>(right - Ints(128)), Ints(draw.viewport.width - 1)),
                y1 = min(shift_right<8>(bottom - Ints(128)), Ints(draw.viewport.height - 1));
-    const Bools no_pixel = x0 > x1 | y0 > y1;
+    const Bools no_pixel = x0 > x1 || y0 > y1;
 
     const Bools drawable = valid & !coded;
     const Bools front = model.setup.mirrored ? !negative : negative;

@@ -2,13 +2,11 @@
 #pragma once
 #include "raster/fast/draw_state.hpp"
 #include "raster/fast/lanes.hpp"
+#include "raster/triangle_edge.hpp"
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
-struct LaneCorner {
-    Ints x, y;
-    Floats z, rw;
-};
+using LaneCorner = pipeline::SnappedCornerOf<Floats>;
 
 // N corners in a row: x y z rw | x y z rw | ...
 RELEVO_LANE LaneCorner load_corners(const SnappedCorner* corners) {
@@ -21,7 +19,7 @@ RELEVO_LANE LaneCorner select(Bools mask, const LaneCorner& yes, const LaneCorne
             select(mask, yes.rw, no.rw)};
 }
 RELEVO_LANE Bools is_above(const LaneCorner& p, const LaneCorner& q) {
-    return p.y < q.y | ((p.y == q.y) & (p.x < q.x));
+    return p.y < q.y || (p.y == q.y && p.x < q.x);
 }
 
 // Triangles whose corners lie closer than this in x and in y (110 pixels) have edge values within int32, also
@@ -30,11 +28,18 @@ inline constexpr std::int32_t max_small_extent = 110 * 256;
 static_assert(std::int64_t{125 * 256} * max_small_extent + std::int64_t{max_small_extent} * max_small_extent <
               std::int64_t{1} << 31);
 
-// Twice the signed area, exact (below 2^50).
-RELEVO_LANE Doubles area2(const LaneCorner& a, const LaneCorner& b, const LaneCorner& c) {
-    const Doubles bx = to_wide(b.x - a.x), by = to_wide(b.y - a.y), cx = to_wide(c.x - a.x),
-                  cy = to_wide(c.y - a.y);
-    return bx * cy - by * cx;
+// Corner 0 is the topmost (of these, the leftmost), corners 1 and 2 give a positive area: triangle_edge.hpp's
+// canonical order.
+struct OrderedCorners {
+    LaneCorner c0, c1, c2;
+};
+RELEVO_LANE OrderedCorners canonical_order(const LaneCorner& a, const LaneCorner& b, const LaneCorner& c) {
+    const Bools b_first = is_above(b, a), c_first = is_above(c, select(b_first, b, a));
+    const LaneCorner next = select(c_first, a, select(b_first, c, b));
+    const LaneCorner last = select(c_first, b, select(b_first, a, c));
+    const Bools negative = is_negative(area2<Floats>(a, b, c));
+    return {select(c_first, c, select(b_first, b, a)), select(negative, last, next),
+            select(negative, next, last)};
 }
 
 // Sixteen bytes from one place to another.

@@ -13,6 +13,7 @@
 #include "raster/fast/bins.hpp"
 #include "raster/fast/corners.hpp"
 #include "raster/fast/stages.hpp"
+#include "raster/interpolate.hpp"
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
@@ -37,115 +38,117 @@ struct Nearness {
     RELEVO_LANE Floats operator()(Floats z) const { return bits_float(float_bits(z) ^ flip); }
 };
 
-RELEVO_LANE Ints bias_of(Ints dx, Ints dy) {
-    const Bools top_left = is_negative(dy) | ((dy == Ints(0)) & (dx > Ints(0)));
-    return select(top_left, Ints(0), Ints(1));
-}
+RELEVO_LANE Ints bias_of(Ints dx, Ints dy) { return select(is_top_left(dx, dy), Ints(0), Ints(1)); }
 
-// Rows of one triangle, a pixel a lane. `Small`: edge values fit int32.
-template <bool Small>
+// How the pixels of a box are found to be covered.
+enum class Cover {
+    Int,     // edge values in int32
+    Double,  // edge values in double
+    All,     // no edge crosses the box
+};
+
+// Rows of one triangle, a pixel a lane. (e1, e2): edge values at the first pixel.
+template <Cover cover>
 RELEVO_LANE void cover_rows(const StoredSetup& s, int k, std::uint32_t id, const Nearness& nearness,
-                            const TileMemory& tile) {
-    const double dx1 = s.dx1[k], dy1 = s.dy1[k], dx2 = s.dx2[k], dy2 = s.dy2[k];
-    const double px = s.left[k], py = s.above[k];
-    const double bias0 = s.bias0[k], bias1 = s.bias1[k], bias2 = s.bias2[k];
-    const double area = s.area[k];
-    const int width = s.x1[k] - s.x0[k], height = s.y1[k] - s.y0[k];
-
-    // the edges that cross the box: the others need no test
-    double e1_row = px * dy2 - py * dx2, e2_row = dx1 * py - dy1 * px;
-    const double step1 = 256 * dy2, step2 = -256 * dy1, down1 = -256 * dx2, down2 = 256 * dx1;
-    bool crosses = true;
-    if (!Small) {
-        const auto lowest = [&](double e, double step, double down) {
-            return e + (step < 0 ? step * width : 0) + (down < 0 ? down * height : 0);
-        };
-        const auto highest = [&](double e, double step, double down) {
-            return e + (step > 0 ? step * width : 0) + (down > 0 ? down * height : 0);
-        };
-        const double e0_row = area - e1_row - e2_row, step0 = -step1 - step2, down0 = -down1 - down2;
-        if (highest(e0_row, step0, down0) < bias0 || highest(e1_row, step1, down1) < bias1 ||
-            highest(e2_row, step2, down2) < bias2)
-            return;
-        crosses = lowest(e0_row, step0, down0) < bias0 || lowest(e1_row, step1, down1) < bias1 ||
-                  lowest(e2_row, step2, down2) < bias2;
-    }
-
-    const Doubles z0 = s.z0[k], g1 = s.g1[k], g2 = s.g2[k];
-    const Doubles lane = to_wide(lane_numbers()), lane1 = lane * Doubles(step1),
-                  lane2 = lane * Doubles(step2);
-    const Ints id_lanes(static_cast<std::int32_t>(id));
+                            const TileMemory& tile, double first1, double first2) {
+    const Interpolator plane{s.z0[k], s.g1[k], s.g2[k], 0, 0, 0};
+    const double step1 = 256.0 * s.dy2[k], step2 = -256.0 * s.dy1[k];
+    const Doubles across1(lanes * step1), across2(lanes * step2), down1(-256.0 * s.dx2[k]),
+        down2(256.0 * s.dx1[k]);
+    const Doubles lane = to_wide(lane_numbers());
+    Doubles row1 = Doubles(first1) + lane * Doubles(step1), row2 = Doubles(first2) + lane * Doubles(step2);
 
     // int32: values less their bias, so that covered means none is negative
-    Ints i0{}, i1{}, i2{};
-    std::int32_t i_step1 = 0, i_step2 = 0;
-    if (Small) {
-        i_step1 = 256 * s.dy2[k], i_step2 = -256 * s.dy1[k];
-        const std::int32_t e1 = s.left[k] * s.dy2[k] - s.above[k] * s.dx2[k],
-                           e2 = s.dx1[k] * s.above[k] - s.dy1[k] * s.left[k];
-        const Ints n = lane_numbers();
-        i1 = Ints(e1 - s.bias1[k]) + n * Ints(i_step1);
-        i2 = Ints(e2 - s.bias2[k]) + n * Ints(i_step2);
-        i0 = Ints(static_cast<std::int32_t>(area) - e1 - e2 - s.bias0[k]) - n * Ints(i_step1 + i_step2);
+    const Ints bias0(s.bias0[k]), bias1(s.bias1[k]), bias2(s.bias2[k]);
+    const Doubles area = s.area[k], wide_bias0 = to_wide(bias0), wide_bias1 = to_wide(bias1),
+                  wide_bias2 = to_wide(bias2);
+    const std::int32_t i_step1 = 256 * s.dy2[k], i_step2 = -256 * s.dy1[k];
+    const Ints i_across1(lanes * i_step1), i_across2(lanes * i_step2), i_down1(-256 * s.dx2[k]),
+        i_down2(256 * s.dx1[k]);
+    Ints i_row0{}, i_row1{}, i_row2{};
+    if constexpr (cover == Cover::Int) {
+        const Ints e1 = Ints(static_cast<std::int32_t>(first1)) + lane_numbers() * Ints(i_step1),
+                   e2 = Ints(static_cast<std::int32_t>(first2)) + lane_numbers() * Ints(i_step2);
+        i_row1 = e1 - bias1, i_row2 = e2 - bias2;
+        i_row0 = Ints(static_cast<std::int32_t>(s.area[k])) - e1 - e2 - bias0;
     }
-    const Ints i_down1(Small ? -256 * s.dx2[k] : 0), i_down2(Small ? 256 * s.dx1[k] : 0),
-        i_down0(Small ? 256 * (s.dx2[k] - s.dx1[k]) : 0);
 
+    const Ints id_lanes(static_cast<std::int32_t>(id));
+    const int columns = s.x1[k] - s.x0[k] + 1, rows = s.y1[k] - s.y0[k] + 1;
+    const Bools last_columns = first_lanes((columns - 1) % lanes + 1);
     float* near_row = tile.nearness + s.y0[k] * tile.stride + s.x0[k];
     std::uint32_t* visible_row = tile.visible + s.y0[k] * tile.stride + s.x0[k];
-    for (int y = 0; y <= height; ++y) {
-        double e1_here = e1_row, e2_here = e2_row;
-        Ints here0 = i0, here1 = i1, here2 = i2;
-        for (int x = 0; x <= width; x += lanes) {
-            const Doubles e1 = Doubles(e1_here) + lane1, e2 = Doubles(e2_here) + lane2;
-            const Floats z = nearness(rounded(z0 + (e1 * g1 + e2 * g2)));
+    for (int y = 0; y < rows; ++y) {
+        Doubles e1 = row1, e2 = row2;
+        Ints i0 = i_row0, i1 = i_row1, i2 = i_row2;
+        const auto group = [&](int x, Bools in_box) {
+            Bools seen = in_box;
+            if constexpr (cover == Cover::Int) {
+                seen = seen && !is_negative(i0 | i1 | i2);
+                if (!any(seen)) return;
+            }
+            if constexpr (cover == Cover::Double) {
+                seen = seen && !is_negative(upper_words(area - e1 - e2 - wide_bias0) |
+                                            upper_words(e1 - wide_bias1) | upper_words(e2 - wide_bias2));
+                if (!any(seen)) return;
+            }
+            const Floats z = nearness(depth<Floats>(plane, {0.0, e1, e2}));
             const Floats stored = load(near_row + x);
-            Bools seen = z > stored;
-            if (Small) {
-                seen = seen & !is_negative(here0 | here1 | here2);
-            } else if (crosses) {
-                const Doubles e0 = Doubles(area) - e1 - e2;
-                const Ints outside = upper_words(e0 - Doubles(bias0)) | upper_words(e1 - Doubles(bias1)) |
-                                     upper_words(e2 - Doubles(bias2));
-                seen = seen & !is_negative(outside);
-            }
-            if (x + lanes > width + 1) seen = seen & first_lanes(width + 1 - x);
-            if (any(seen)) {
-                store(select(seen, z, stored), near_row + x);
-                store(select(seen, id_lanes, load(visible_row + x)), visible_row + x);
-            }
-            e1_here += lanes * step1, e2_here += lanes * step2;
-            if (Small) {
-                here1 = here1 + Ints(lanes * i_step1);
-                here2 = here2 + Ints(lanes * i_step2);
-                here0 = here0 - Ints(lanes * (i_step1 + i_step2));
-            }
+            seen = seen && z > stored;
+            if (!any(seen)) return;
+            store(select(seen, z, stored), near_row + x);
+            store(select(seen, id_lanes, load(visible_row + x)), visible_row + x);
+        };
+        int x = 0;
+        for (; x + lanes < columns; x += lanes) {
+            group(x, all_lanes());
+            e1 = e1 + across1, e2 = e2 + across2;
+            if constexpr (cover == Cover::Int)
+                i1 = i1 + i_across1, i2 = i2 + i_across2, i0 = i0 - i_across1 - i_across2;
         }
-        e1_row += down1, e2_row += down2;
-        if (Small) i1 = i1 + i_down1, i2 = i2 + i_down2, i0 = i0 + i_down0;
+        group(x, last_columns);
+        row1 = row1 + down1, row2 = row2 + down2;
+        if constexpr (cover == Cover::Int)
+            i_row1 = i_row1 + i_down1, i_row2 = i_row2 + i_down2, i_row0 = i_row0 - i_down1 - i_down2;
         near_row += tile.stride, visible_row += tile.stride;
     }
+}
+
+// The rows of triangle k, the cheapest way that is exact.
+RELEVO_LANE void cover_triangle(const StoredSetup& s, int k, bool small, std::uint32_t id,
+                                const Nearness& nearness, const TileMemory& tile) {
+    const double px = s.left[k], py = s.above[k];
+    const double e1 = px * s.dy2[k] - py * s.dx2[k], e2 = s.dx1[k] * py - s.dy1[k] * px;
+    if (small) return cover_rows<Cover::Int>(s, k, id, nearness, tile, e1, e2);
+
+    const double width = s.x1[k] - s.x0[k], height = s.y1[k] - s.y0[k];
+    const double step1 = 256.0 * s.dy2[k], step2 = -256.0 * s.dy1[k], down1 = -256.0 * s.dx2[k],
+                 down2 = 256.0 * s.dx1[k];
+    bool touches = true, crosses = false;  // the box
+    const auto edge = [&](double e, double step, double down, double bias) {
+        const double across = step * width, along = down * height;
+        touches = touches && e + (across > 0 ? across : 0) + (along > 0 ? along : 0) >= bias;
+        crosses = crosses || e + (across < 0 ? across : 0) + (along < 0 ? along : 0) < bias;
+    };
+    edge(s.area[k] - e1 - e2, -step1 - step2, -down1 - down2, s.bias0[k]);
+    edge(e1, step1, down1, s.bias1[k]);
+    edge(e2, step2, down2, s.bias2[k]);
+    if (!touches) return;
+    if (crosses)
+        cover_rows<Cover::Double>(s, k, id, nearness, tile, e1, e2);
+    else
+        cover_rows<Cover::All>(s, k, id, nearness, tile, e1, e2);
 }
 
 // N triangles of the tile, corners staged side by side.
 RELEVO_LANE void cover_group(const DrawState& draw, const TileMemory& tile, const TileBox& box,
                              const SnappedCorner* corner0, const SnappedCorner* corner1,
                              const SnappedCorner* corner2, const std::uint32_t* ids, int count_in_group) {
-    const LaneCorner a = load_corners(corner0), b = load_corners(corner1), c = load_corners(corner2);
-
-    // canonical order: corner 0 is the topmost, area positive
-    const Bools b_first = is_above(b, a), c_first = is_above(c, select(b_first, b, a));
-    const LaneCorner c0 = select(c_first, c, select(b_first, b, a));
-    const LaneCorner next = select(c_first, a, select(b_first, c, b));
-    const LaneCorner last = select(c_first, b, select(b_first, a, c));
-    const Doubles signed_area = area2(c0, next, last);
-    const Bools negative = is_negative(signed_area);
-    const LaneCorner c1 = select(negative, last, next), c2 = select(negative, next, last);
-    const Doubles area = select(negative, Doubles(0.0) - signed_area, signed_area);
-
+    const auto [c0, c1, c2] =
+        canonical_order(load_corners(corner0), load_corners(corner1), load_corners(corner2));
+    const auto triangle = make_triangle<Floats>(c0, c1, c2);
+    const auto plane = make_interpolator(triangle);
     const Ints dx1 = c1.x - c0.x, dy1 = c1.y - c0.y, dx2 = c2.x - c0.x, dy2 = c2.y - c0.y;
-    const Doubles inverse_area = Doubles(1.0) / area, z0 = to_wide(c0.z);
-    const Doubles g1 = (to_wide(c1.z) - z0) * inverse_area, g2 = (to_wide(c2.z) - z0) * inverse_area;
 
     const Ints left = min(c0.x, min(c1.x, c2.x)), right = max(c0.x, max(c1.x, c2.x));
     const Ints top = c0.y, bottom = max(c1.y, c2.y);
@@ -153,7 +156,7 @@ RELEVO_LANE void cover_group(const DrawState& draw, const TileMemory& tile, cons
                y0 = max(shift_right<8>(top + Ints(127)), Ints(box.y0)),
                x1 = min(shift_right<8>(right - Ints(128)), Ints(box.x0 + box.width - 1)),
                y1 = min(shift_right<8>(bottom - Ints(128)), Ints(box.y0 + box.height - 1));
-    const Bools valid = first_lanes(count_in_group) & !(x0 > x1 | y0 > y1);
+    const Bools valid = first_lanes(count_in_group) & !(x0 > x1 || y0 > y1);
     const Bools small = max(right - left, bottom - top) < Ints(max_small_extent);
     const Ints columns = x1 - x0 + Ints(1), rows = y1 - y0 + Ints(1);
     const Bools tiny = small & (columns < Ints(tiny_pixels + 1)) & (rows < Ints(tiny_pixels + 1)) &
@@ -169,7 +172,7 @@ RELEVO_LANE void cover_group(const DrawState& draw, const TileMemory& tile, cons
         // a lane each: all boxes are walked at once, row by row
         const Ints step1 = shift_left<8>(dy2), step2 = Ints(0) - shift_left<8>(dy1);
         const Ints down1 = Ints(0) - shift_left<8>(dx2), down2 = shift_left<8>(dx1);
-        const Ints area32 = truncated(select(small, area, Doubles(0.0)));
+        const Ints area32 = truncated(select(small, triangle.area, Doubles(0.0)));
         Ints row1 = px * dy2 - py * dx2, row2 = dx1 * py - dy1 * px;
         Ints e1 = row1, e2 = row2, x = x0, y = y0;
         Ints place = (y0 - Ints(box.y0)) * Ints(tile.stride) + (x0 - Ints(box.x0));
@@ -181,7 +184,7 @@ RELEVO_LANE void cover_group(const DrawState& draw, const TileMemory& tile, cons
             if (fragments != 0) {
                 alignas(64) float z_of[lanes];
                 alignas(64) std::int32_t place_of[lanes];
-                store(nearness(rounded(z0 + (to_wide(e1) * g1 + to_wide(e2) * g2))), z_of);
+                store(nearness(depth<Floats>(plane, {0.0, to_wide(e1), to_wide(e2)})), z_of);
                 store(place, place_of);
                 do {
                     const int k = std::countr_zero(fragments);
@@ -204,7 +207,7 @@ RELEVO_LANE void cover_group(const DrawState& draw, const TileMemory& tile, cons
     }
 
     StoredSetup s;
-    store(z0, s.z0), store(g1, s.g1), store(g2, s.g2), store(area, s.area);
+    store(plane.z0, s.z0), store(plane.g1, s.g1), store(plane.g2, s.g2), store(triangle.area, s.area);
     store(x0 - Ints(box.x0), s.x0), store(x1 - Ints(box.x0), s.x1);
     store(y0 - Ints(box.y0), s.y0), store(y1 - Ints(box.y0), s.y1);
     store(px, s.left), store(py, s.above);
@@ -213,10 +216,7 @@ RELEVO_LANE void cover_group(const DrawState& draw, const TileMemory& tile, cons
     const std::uint32_t small_bits = bits(small);
     for (std::uint32_t rest = valid_bits; rest != 0; rest &= rest - 1) {
         const int k = std::countr_zero(rest);
-        if (small_bits >> k & 1)
-            cover_rows<true>(s, k, ids[k], nearness, tile);
-        else
-            cover_rows<false>(s, k, ids[k], nearness, tile);
+        cover_triangle(s, k, small_bits >> k & 1, ids[k], nearness, tile);
     }
 }
 

@@ -96,6 +96,7 @@ RELEVO_LANE std::uint32_t bits(Bools a) {
     return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8;
 }
 RELEVO_LANE Bools first_lanes(int n) { return {hn::FirstN(TagF(), static_cast<std::size_t>(n))}; }
+RELEVO_LANE Bools all_lanes() { return first_lanes(lanes); }
 RELEVO_LANE hn::Mask<TagI> int_mask(Bools a) { return hn::RebindMask(TagI(), a.m); }
 RELEVO_LANE Bools float_mask(hn::Mask<TagI> m) { return {hn::RebindMask(TagF(), m)}; }
 

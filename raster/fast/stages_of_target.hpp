@@ -9,8 +9,8 @@
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
-static void transform(const ModelState& model, const pipeline::Viewport& viewport, std::uint32_t first,
-                      std::uint32_t last) {
+[[gnu::flatten]] static void transform(const ModelState& model, const pipeline::Viewport& viewport,
+                                       std::uint32_t first, std::uint32_t last) {
     const auto with = [&]<class Program>(Program) {
         transform_vertices<Program>(model, viewport, first, last);
     };
@@ -25,10 +25,10 @@ static void transform(const ModelState& model, const pipeline::Viewport& viewpor
     }
 }
 
-static void bin(const DrawState& draw, Chunk& chunk) { bin_triangles(draw, chunk); }
+[[gnu::flatten]] static void bin(const DrawState& draw, Chunk& chunk) { bin_triangles(draw, chunk); }
 
-static std::uint64_t draw_tile(const DrawState& draw, const Chunk* chunks, int chunk_count,
-                               TileScratch& scratch, int number) {
+[[gnu::flatten]] static std::uint64_t draw_tile(const DrawState& draw, const Chunk* chunks, int chunk_count,
+                                                TileScratch& scratch, int number) {
     const int x0 = number % draw.tiles_across * draw.tile, y0 = number / draw.tiles_across * draw.tile;
     const TileBox box{x0, y0, std::min(draw.tile, draw.viewport.width - x0),
                       std::min(draw.tile, draw.viewport.height - y0)};

@@ -11,7 +11,7 @@
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
 struct LaneVertex {
-    pipeline::Triple<Floats> position, normal;
+    pipeline::Vec3Of<Floats> position, normal;
     Floats u, v;
 };
 
@@ -43,20 +43,19 @@ template <class Program>
 RELEVO_LANE void transform_group(const ModelState& model, const pipeline::Viewport& viewport,
                                  const pipeline::Vertex* vertices, SnappedCorner* window, float* carried) {
     const LaneVertex vertex = load_vertices(vertices);
-    const auto clip = pipeline::transformed(model.setup.clip_from_object, vertex.position);
-    const Ints codes = pipeline::clip_codes(clip);
-    const auto corner = pipeline::to_window(clip, viewport);
+    const auto& to_clip = model.setup.clip_from_object.row;
+    const pipeline::Vec4Of<Floats> clip{pipeline::row_times_point(to_clip[0], vertex.position),
+                                        pipeline::row_times_point(to_clip[1], vertex.position),
+                                        pipeline::row_times_point(to_clip[2], vertex.position),
+                                        pipeline::row_times_point(to_clip[3], vertex.position)};
+    const Ints codes = pipeline::lanes_clip_codes<Floats>(clip);
+    const auto corner = pipeline::lanes_to_window<Floats>(clip, viewport);
     const Bools clean = codes == Ints(0);
     hn::StoreInterleaved4(bits_float(select(clean, corner.x, codes)).v, bits_float(corner.y).v, corner.z.v,
                           select(clean, corner.rw, Floats(0.f)).v, TagF(), reinterpret_cast<float*>(window));
     if constexpr (Program::size > 0) {
-        ShadedLanes<Floats> shaded{};
-        shaded.uv = {vertex.u, vertex.v};
-        if constexpr (Program::needs_eye) {
-            shaded.position = pipeline::transformed(model.setup.eye_from_object, vertex.position);
-            shaded.normal = pipeline::normalize(pipeline::transformed(model.setup.normal_map, vertex.normal));
-        }
-        const auto values = Program::template corner<Floats>(model.setup.surface, shaded);
+        const auto values = varying_of<Program, Floats>(model.setup, vertex.position, vertex.normal,
+                                                        {vertex.u, vertex.v}, false);
         Floats a[max_carried];
         for (int k = 0; k < max_carried; ++k)
             a[k] = k < int(Program::size) ? values[std::size_t(k)] : Floats(0.f);
