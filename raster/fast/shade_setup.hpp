@@ -1,0 +1,290 @@
+// The set-up of shading: what the pixels of a triangle need to know of it, N triangles at a time, a lane
+// each.
+//
+//   ids -> corners in the window, canonical order -> edge values, 1 / w, and planes of what the corners carry
+//
+// The lanes are used at once where every pixel shows a triangle of its own (LaneSetup), or kept triangle by
+// triangle for the pixels to come (KeptSetup).
+#pragma once
+#include "raster/fast/corners.hpp"
+#include "raster/fast/draw_state.hpp"
+#include "raster/fast/lanes.hpp"
+#include "raster/interpolate.hpp"
+#include "raster/output.hpp"
+#include "raster/shading.hpp"
+#include "raster/triangle_edge.hpp"
+
+namespace relevo::raster::fast::HWY_NAMESPACE {
+
+using pipeline::RgbOf;
+using pipeline::Vec3Of;
+
+// ------------------------------------------------------------------------------------------------ loading
+// Four numbers of each lane, from a place of its own: 16 bytes at a time, then 4 x 4 transposes.
+struct Quad {
+    Floats a, b, c, d;
+};
+template <class Place>
+RELEVO_LANE Quad load_quads(const Place& place) {  // place(lane): where the four numbers stand
+    const hn::Full128<float> four;
+    const hn::Half<TagF> half;
+    const auto rows = [&](int j) {  // of the lanes j, j + 4, j + 8, j + 12
+        if constexpr (lanes == 4) {
+            return hn::LoadU(four, place(j));
+        } else if constexpr (lanes == 8) {
+            return hn::Combine(TagF(), hn::LoadU(four, place(j + 4)), hn::LoadU(four, place(j)));
+        } else {
+            const auto low = hn::Combine(half, hn::LoadU(four, place(j + 4)), hn::LoadU(four, place(j)));
+            const auto high =
+                hn::Combine(half, hn::LoadU(four, place(j + 12)), hn::LoadU(four, place(j + 8)));
+            return hn::Combine(TagF(), high, low);
+        }
+    };
+    const auto r0 = rows(0), r1 = rows(1), r2 = rows(2), r3 = rows(3);
+    const auto pairs = [](auto x) { return hn::BitCast(TagU64(), x); };
+    const auto low01 = pairs(hn::InterleaveLower(TagF(), r0, r1)),
+               low23 = pairs(hn::InterleaveLower(TagF(), r2, r3)),
+               high01 = pairs(hn::InterleaveUpper(TagF(), r0, r1)),
+               high23 = pairs(hn::InterleaveUpper(TagF(), r2, r3));
+    const auto floats = [](auto x) { return Floats(hn::BitCast(TagF(), x)); };
+    return {floats(hn::InterleaveLower(TagU64(), low01, low23)),
+            floats(hn::InterleaveUpper(TagU64(), low01, low23)),
+            floats(hn::InterleaveLower(TagU64(), high01, high23)),
+            floats(hn::InterleaveUpper(TagU64(), high01, high23))};
+}
+
+// ------------------------------------------------------------------------------------------------ lanes
+template <class Program>
+using LaneFace =
+    std::conditional_t<Program::needs_face, pipeline::ReflectionOf<Floats>, typename Program::Face>;
+
+template <class Program>
+struct LaneSetup {
+    Ints x0, y0;                       // corner 0, in 1/256 pixel
+    Doubles dx1, dy1, dx2, dy2, area;  // exact
+    Floats rw0, rw1, rw2;
+    VaryingPlane<Program::size, Floats> plane;
+    LaneFace<Program> face;
+};
+
+// Triangles of one model: the ids and, of each, its primitive. They differ for pieces.
+struct LaneIds {
+    Ints id, primitive;
+    bool pieces;  // whether there is any
+};
+
+template <class Program>
+RELEVO_LANE std::array<Floats, Program::size> load_carried(const Scalar* const (&place)[lanes]) {
+    std::array<Floats, Program::size> a;
+    const auto part = [&](std::size_t first) {
+        const Quad q = load_quads([&](int k) { return place[k] + first; });
+        const Floats four[4] = {q.a, q.b, q.c, q.d};
+        for (std::size_t j = first; j < Program::size && j < first + 4; ++j) a[j] = four[j - first];
+    };
+    part(0);
+    if constexpr (Program::size > 4) part(4);
+    return a;
+}
+
+// What the corners carry to a back face that is lit by its own normal.
+template <class Program>
+RELEVO_LANE std::array<Floats, Program::size> carried_to_back(const ModelState& model, Ints vertex) {
+    alignas(64) std::uint32_t index[lanes];
+    store(vertex, index);
+    const auto part = [&](int first) {
+        return load_quads(
+            [&](int k) { return reinterpret_cast<const float*>(&model.vertices[index[k]]) + first; });
+    };
+    const Quad px_nx = part(0), ny_v = part(4);
+    return varying_of<Program, Floats>(model.setup, {px_nx.a, px_nx.b, px_nx.c}, {px_nx.d, ny_v.a, ny_v.b},
+                                       {ny_v.c, ny_v.d}, true);
+}
+
+RELEVO_LANE Vec3Of<Floats> eye_position(const ModelState& model, const std::uint32_t (&index)[lanes]) {
+    const Quad q =
+        load_quads([&](int k) { return reinterpret_cast<const float*>(&model.vertices[index[k]].position); });
+    return moved_point<Floats>(model.setup.eye_from_object.row, {q.a, q.b, q.c});
+}
+
+// The triangles `ids` of the model, in every lane one.
+template <class Program>
+RELEVO_LANE LaneSetup<Program> set_up(const DrawState& draw, const ModelState& model, const LaneIds& ids) {
+    constexpr std::size_t size = Program::size;
+    LaneSetup<Program> s;
+    if constexpr (size == 0 && !Program::needs_face) return s;
+
+    Ints corner[3];  // the vertices' numbers
+    alignas(64) std::uint32_t index[3][lanes];
+    const Ints local = ids.primitive - Ints(static_cast<std::int32_t>(model.first_primitive));
+    const Ints first_index = local + local + local;
+    for (int c = 0; c < 3; ++c) {
+        corner[c] = gather(model.indices.data() + c, first_index);
+        store(corner[c], index[c]);
+    }
+    alignas(64) std::uint32_t id[lanes];
+    if (ids.pieces) store(ids.id, id);
+
+    Bools back = first_lanes(0);
+    Ints rotation(0);  // which of the mesh's corners is corner 0
+    Bools negative = back;
+    if (size > 0 || model.setup.surface.two_sided) {
+        LaneCorner window[3];
+        for (int c = 0; c < 3; ++c) {
+            Quad q;
+            if (!ids.pieces) {
+                q = load_quads(
+                    [&](int k) { return reinterpret_cast<const float*>(model.window + index[c][k]); });
+            } else {
+                q = load_quads([&](int k) {
+                    return reinterpret_cast<const float*>(id[k] & piece_bit ? &piece(draw, id[k]).window[c]
+                                                                            : model.window + index[c][k]);
+                });
+            }
+            window[c] = {float_bits(q.a), float_bits(q.b), q.c, q.d};
+        }
+        const Bools one = is_above(window[1], window[0]),
+                    two = is_above(window[2], select(one, window[1], window[0]));
+        const LaneCorner c0 = select(two, window[2], select(one, window[1], window[0])),
+                         next = select(two, window[0], select(one, window[2], window[1])),
+                         last = select(two, window[1], select(one, window[0], window[2]));
+        const Doubles dx = to_wide(next.x - c0.x), dy = to_wide(next.y - c0.y), ex = to_wide(last.x - c0.x),
+                      ey = to_wide(last.y - c0.y);
+        const Doubles signed_area = dx * ey - dy * ex;
+        negative = is_negative(signed_area);
+        back = model.setup.mirrored ? negative : !negative;
+        if constexpr (size > 0) {
+            rotation = select(two, Ints(2), select(one, Ints(1), Ints(0)));
+            // With negative area the corners 1 and 2 change places: the formulas treat them alike, so it is
+            // enough to turn the signs of the edges.
+            s.x0 = c0.x, s.y0 = c0.y, s.rw0 = c0.rw, s.rw1 = next.rw, s.rw2 = last.rw;
+            const Doubles sign = select(negative, Doubles(-1.0), Doubles(1.0));
+            s.dx1 = dx * sign, s.dy1 = dy * sign, s.dx2 = ex * sign, s.dy2 = ey * sign;
+            s.area = signed_area * sign;
+        }
+    }
+
+    if constexpr (size > 0) {
+        // the corners in their canonical order: 0 1 2, 1 2 0 or 2 0 1
+        const Bools one = rotation == Ints(1), two = rotation == Ints(2);
+        const Ints ordered[3] = {select(two, corner[2], select(one, corner[1], corner[0])),
+                                 select(two, corner[0], select(one, corner[2], corner[1])),
+                                 select(two, corner[1], select(one, corner[0], corner[2]))};
+        std::array<Floats, size> a[3];
+        alignas(64) std::int32_t turn[lanes];
+        if (ids.pieces) store(rotation, turn);
+        for (int c = 0; c < 3; ++c) {
+            alignas(64) std::uint32_t vertex[lanes];
+            store(ordered[c], vertex);
+            const Scalar* place[lanes];
+            for (int k = 0; k < lanes; ++k)
+                place[k] = model.carried + std::size_t{vertex[k]} * (size > 4 ? 8 : 4);
+            if (ids.pieces)
+                for (int k = 0; k < lanes; ++k)
+                    if (id[k] & piece_bit) place[k] = piece(draw, id[k]).carried[(turn[k] + c) % 3];
+            a[c] = load_carried<Program>(place);
+        }
+        if constexpr (Program::needs_eye) {
+            const Bools turned = back & !is_negative(ids.id);  // a piece already carries its side's numbers
+            if (model.setup.both_sides && any(turned)) {
+                for (int c = 0; c < 3; ++c) {
+                    const std::array<Floats, size> other = carried_to_back<Program>(model, ordered[c]);
+                    for (std::size_t j = 0; j < size; ++j) a[c][j] = select(turned, other[j], a[c][j]);
+                }
+            }
+        }
+        s.plane = make_plane<size, Floats>(a[0], a[1], a[2]);
+    }
+    if constexpr (Program::needs_face)
+        s.face = reflect_face<Floats>(
+            model.setup.surface,
+            {eye_position(model, index[0]), eye_position(model, index[1]), eye_position(model, index[2])},
+            back, model.setup.mirrored);
+    return s;
+}
+
+// Edge values at the centres of the pixels (x, y).
+template <class Program>
+RELEVO_LANE EdgeValuesOf<Floats> edge_values(const LaneSetup<Program>& s, Ints x, Ints y) {
+    const Doubles px = to_wide(shift_left<8>(x) + Ints(128) - s.x0),
+                  py = to_wide(shift_left<8>(y) + Ints(128) - s.y0);
+    const Doubles positive_zero = 0.0;  // an edge value of 0 is +0, as a whole number's is
+    const Doubles e1 = (px * s.dy2 - py * s.dx2) + positive_zero,
+                  e2 = (s.dx1 * py - s.dy1 * px) + positive_zero;
+    return {s.area - e1 - e2, e1, e2};
+}
+
+// ------------------------------------------------------------------------------------------------ stored
+// One triangle: its edge values as planes over the pixels of the picture, exact (below 2^50).
+//
+//   E_k (x, y) = e[k] + x across[k] + y down[k]
+struct KeptSetup {
+    double e[3], across[3], down[3], rw[3];
+    Scalar a0[max_carried], d1[max_carried], d2[max_carried];
+    pipeline::Reflection face;
+    LinearRgb color;  // of the programs that carry nothing: every pixel has it
+    std::uint32_t packed, model;
+};
+
+// Lane k to *to[k], for the lanes of `which`.
+template <class Program>
+RELEVO_LANE void store_setups(const DrawState& draw, std::uint32_t model_number, const LaneSetup<Program>& s,
+                              std::uint32_t which, KeptSetup* const (&to)[lanes]) {
+    constexpr std::size_t size = Program::size;
+    if constexpr (size == 0) {
+        const RgbOf<Floats> c =
+            Program::template pixel<Floats>(draw.models[model_number].setup.surface, s.face, nullptr);
+        alignas(64) float rgb[3][lanes];
+        alignas(64) std::uint32_t packed[lanes];
+        store(c.r, rgb[0]), store(c.g, rgb[1]), store(c.b, rgb[2]);
+        store(to_whole(packed_rgba8(c, draw.settings.output)), packed);
+        for (std::uint32_t rest = which; rest != 0; rest &= rest - 1) {
+            const int k = std::countr_zero(rest);
+            to[k]->color = {rgb[0][k], rgb[1][k], rgb[2][k]};
+            to[k]->packed = packed[k];
+            to[k]->model = model_number;
+        }
+    } else {
+        const EdgeValuesOf<Floats> e = edge_values(s, Ints(0), Ints(0));
+        const Doubles across1 = s.dy2 * Doubles(256.0), across2 = s.dy1 * Doubles(-256.0),
+                      down1 = s.dx2 * Doubles(-256.0), down2 = s.dx1 * Doubles(256.0), none(0.0);
+        const Doubles wide[12] = {e.e0,
+                                  e.e1,
+                                  e.e2,
+                                  none - across1 - across2,
+                                  across1,
+                                  across2,
+                                  none - down1 - down2,
+                                  down1,
+                                  down2,
+                                  to_wide(s.rw0),
+                                  to_wide(s.rw1),
+                                  to_wide(s.rw2)};
+        alignas(64) double numbers[12][lanes];
+        for (int j = 0; j < 12; ++j) store(wide[j], numbers[j]);
+        alignas(64) float carried[3][size][lanes], face[6][lanes];
+        for (std::size_t j = 0; j < size; ++j) {
+            store(s.plane.a0[j], carried[0][j]);
+            store(s.plane.d1[j], carried[1][j]);
+            store(s.plane.d2[j], carried[2][j]);
+        }
+        if constexpr (Program::needs_face) {
+            store(s.face.amount.r, face[0]), store(s.face.amount.g, face[1]), store(s.face.amount.b, face[2]);
+            store(s.face.gloss.r, face[3]), store(s.face.gloss.g, face[4]), store(s.face.gloss.b, face[5]);
+        }
+        for (std::uint32_t rest = which; rest != 0; rest &= rest - 1) {
+            const int k = std::countr_zero(rest);
+            KeptSetup& t = *to[k];
+            for (int j = 0; j < 3; ++j) {
+                t.e[j] = numbers[j][k], t.across[j] = numbers[3 + j][k];
+                t.down[j] = numbers[6 + j][k], t.rw[j] = numbers[9 + j][k];
+            }
+            for (std::size_t j = 0; j < size; ++j)
+                t.a0[j] = carried[0][j][k], t.d1[j] = carried[1][j][k], t.d2[j] = carried[2][j][k];
+            if constexpr (Program::needs_face)
+                t.face = {{face[0][k], face[1][k], face[2][k]}, {face[3][k], face[4][k], face[5][k]}};
+            t.model = model_number;
+        }
+    }
+}
+
+}  // namespace relevo::raster::fast::HWY_NAMESPACE
