@@ -2,13 +2,28 @@
 #pragma once
 #include <cassert>
 #include <cstddef>
+#include <new>
 #include <vector>
 
 namespace relevo::raster {
 
+// Memory that starts on a cache line: a picture is then written by whole lines.
+template <class T>
+struct CacheLineAllocator {
+    using value_type = T;
+    static constexpr std::align_val_t line{64};
+    CacheLineAllocator() = default;
+    template <class U>
+    constexpr CacheLineAllocator(const CacheLineAllocator<U>&) {}
+    T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), line)); }
+    void deallocate(T* p, std::size_t) { ::operator delete(p, line); }
+    friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
+};
+
 template <class Pixel>
 class Image {
   public:
+    using Pixels = std::vector<Pixel, CacheLineAllocator<Pixel>>;
     Image() = default;
     // Sizes are the caller's to check (1..max_picture_size) before memory is taken.
     Image(int width, int height, Pixel fill = {})
@@ -24,12 +39,12 @@ class Image {
     const Pixel& at(int x, int y) const { return assert(holds(x, y)), row(y)[x]; }
     bool holds(int x, int y) const { return 0 <= x && x < width_ && 0 <= y && y < height_; }
 
-    std::vector<Pixel>& pixels() { return pixels_; }
-    const std::vector<Pixel>& pixels() const { return pixels_; }
+    Pixels& pixels() { return pixels_; }
+    const Pixels& pixels() const { return pixels_; }
 
   private:
     int width_ = 0, height_ = 0;
-    std::vector<Pixel> pixels_;
+    Pixels pixels_;
 };
 
 }  // namespace relevo::raster

@@ -9,10 +9,10 @@ TEST(Image, RowsFromTheTopWithoutPadding) {
     Image<int> image(3, 2, 7);
     EXPECT_EQ(image.width(), 3);
     EXPECT_EQ(image.height(), 2);
-    EXPECT_EQ(image.pixels(), std::vector<int>(6, 7));
+    EXPECT_EQ(image.pixels(), Image<int>::Pixels(6, 7));
     image.at(2, 0) = 1;
     image.row(1)[0] = 2;
-    EXPECT_EQ(image.pixels(), (std::vector<int>{7, 7, 1, 2, 7, 7}));
+    EXPECT_EQ(image.pixels(), (Image<int>::Pixels{7, 7, 1, 2, 7, 7}));
     EXPECT_EQ(image.row(1), image.row(0) + 3);
     const Image<int>& same = image;
     EXPECT_EQ(same.at(2, 0), 1);

@@ -68,7 +68,7 @@ Pictures draw(const Scene& in) {
     raster::draw(scene, settings, frame);
     Pictures out;
     for (const raster::Rgba8& c : frame.color.pixels()) out.color.push_back({c.r, c.g, c.b, c.a});
-    out.depth = frame.depth.pixels();
+    out.depth.assign(frame.depth.pixels().begin(), frame.depth.pixels().end());
     return out;
 }
 
