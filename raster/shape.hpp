@@ -13,7 +13,10 @@
 
 namespace relevo::raster {
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"  // g++ 12 takes the word Triangle for that of triangle_edge.hpp
 enum class ShapeKind { Line, Polyline, Circle, Ellipse, Rectangle, Triangle, Polygon };
+#pragma GCC diagnostic pop
 
 // How a shape becomes pixels. Which of them a kind of shape takes: samples/scene/choices.hpp.
 enum class ScanAlgorithm {
