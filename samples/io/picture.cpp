@@ -116,9 +116,9 @@ std::vector<std::uint8_t> to_8_bits(const std::vector<Number>& samples, std::siz
 }
 
 // The numbers as float; `copy` holds them when the library computes in double.
-template <class Number>
-const float* float_rows(const std::vector<Number>& numbers, std::vector<float>& copy) {
-    if constexpr (std::is_same_v<Number, float>) {
+template <class Numbers>
+const float* float_rows(const Numbers& numbers, std::vector<float>& copy) {
+    if constexpr (std::is_same_v<typename Numbers::value_type, float>) {
         return numbers.data();
     } else {
         copy.assign(numbers.begin(), numbers.end());
