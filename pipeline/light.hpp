@@ -63,7 +63,7 @@ struct Lighting {
 // The light equation at a point of eye space with its unit normal, the lights summed in their order.
 // A zero normal, or a light or viewer at the very point, leaves its terms out. Never not-a-number for finite
 // input.
-template <class Real = Scalar>
+template <class Real>
 ReflectionOf<Real> reflect(const Lighting& lighting, const Vec3Of<Real>& point, const Vec3Of<Real>& n) {
     using Vector = Vec3Of<Real>;
     const Vector v = lighting.parallel_view ? Vector{0, 0, 1} : normalize<Real>(-point);
@@ -81,6 +81,11 @@ ReflectionOf<Real> reflect(const Lighting& lighting, const Vec3Of<Real>& point, 
         sum.gloss = select(lit, sum.gloss + (lighting.specular * shine) * color, sum.gloss);
     }
     return sum;
+}
+
+// The same for plain numbers.
+inline Reflection reflect(const Lighting& lighting, const Vec3& point, const Vec3& n) {
+    return reflect<Scalar>(lighting, point, n);
 }
 
 }  // namespace relevo::pipeline

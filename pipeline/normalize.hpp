@@ -4,12 +4,12 @@
 
 namespace relevo::pipeline {
 
-template <class Real = Scalar>
+template <class Real>
 constexpr Real dot(const Vec3Of<Real>& a, const Vec3Of<Real>& b) {
     return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
 
-template <class Real = Scalar>
+template <class Real>
 constexpr Vec3Of<Real> cross(const Vec3Of<Real>& a, const Vec3Of<Real>& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
@@ -19,12 +19,17 @@ constexpr Vec3Of<Real> cross(const Vec3Of<Real>& a, const Vec3Of<Real>& b) {
 Vec3 normalize_extreme(const Vec3& v);
 
 // v * (1 / sqrt(v.v)): error below 3 ulp a component.
-template <class Real = Scalar>
+template <class Real>
 Vec3Of<Real> normalize(const Vec3Of<Real>& v) {
     const Real squared = dot<Real>(v, v);
     const Mask<Real> usual = squared >= Scalar(1e-30) && squared <= Scalar(1e30);
     const Vec3Of<Real> unit = v * (1 / sqrt(squared));
     return all(usual) ? unit : select(usual, unit, each_lane(normalize_extreme, v));
 }
+
+// The same for plain numbers: no template, so that GLM's functions of these names are never a better match.
+constexpr Scalar dot(const Vec3& a, const Vec3& b) { return dot<Scalar>(a, b); }
+constexpr Vec3 cross(const Vec3& a, const Vec3& b) { return cross<Scalar>(a, b); }
+inline Vec3 normalize(const Vec3& v) { return normalize<Scalar>(v); }
 
 }  // namespace relevo::pipeline
