@@ -24,19 +24,6 @@ const Texture& texture() {
     return made;
 }
 
-Shading shading(Mode mode) {
-    switch (mode) {
-        case Mode::Unlit:
-            return Shading::Unlit;
-        case Mode::Flat:
-            return Shading::Flat;
-        case Mode::Gouraud:
-            return Shading::Gouraud;
-        default:
-            return Shading::Phong;
-    }
-}
-
 }  // namespace
 
 Ours::Ours(const Workload& workload, Mode mode, int width, int height, fast::Options options)

@@ -7,6 +7,13 @@ namespace relevo::bench {
 
 using namespace pipeline;
 
+raster::Shading shading(Mode mode) {
+    using raster::Shading;
+    constexpr Shading all[] = {Shading::Unlit, Shading::Flat, Shading::Gouraud, Shading::Phong,
+                               Shading::Phong};
+    return all[static_cast<int>(mode)];
+}
+
 Workload torus_workload(const std::string& name, int ring, int round) {
     return {name, scene::torus_mesh(ring, round, 0.45), true};
 }

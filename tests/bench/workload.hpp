@@ -25,6 +25,7 @@ struct Workload {
 enum class Mode { Unlit, Flat, Gouraud, Phong, Textured };
 inline constexpr const char* mode_names[] = {"unlit", "flat", "Gouraud", "Phong", "Phong + bilinear"};
 inline const char* name(Mode mode) { return mode_names[static_cast<int>(mode)]; }
+raster::Shading shading(Mode mode);
 
 Workload torus_workload(const std::string& name, int ring, int round);
 Workload fill_workload();
