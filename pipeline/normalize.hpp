@@ -28,8 +28,8 @@ Vec3Of<Real> normalize(const Vec3Of<Real>& v) {
 }
 
 // The same for plain numbers: no template, so that GLM's functions of these names are never a better match.
-constexpr Scalar dot(const Vec3& a, const Vec3& b) { return dot<Scalar>(a, b); }
-constexpr Vec3 cross(const Vec3& a, const Vec3& b) { return cross<Scalar>(a, b); }
-inline Vec3 normalize(const Vec3& v) { return normalize<Scalar>(v); }
+constexpr Scalar dot(const Vec3& a, const Vec3& b) { return pipeline::dot<Scalar>(a, b); }
+constexpr Vec3 cross(const Vec3& a, const Vec3& b) { return pipeline::cross<Scalar>(a, b); }
+inline Vec3 normalize(const Vec3& v) { return pipeline::normalize<Scalar>(v); }
 
 }  // namespace relevo::pipeline
