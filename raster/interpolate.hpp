@@ -73,7 +73,7 @@ VaryingPlane<N, Real> make_plane(const std::array<Real, N>& a0, const std::array
         plane.a0[k] = a0[k], plane.d1[k] = a1[k] - a0[k], plane.d2[k] = a2[k] - a0[k];
     return plane;
 }
-template <std::size_t N, class Corners, class Real>
+template <std::size_t N, class Corners, class Real = Scalar>
 std::array<Real, N> interpolate(const VaryingPlane<N, Corners>& plane, const PerspectiveWeightsOf<Real>& b) {
     std::array<Real, N> a;
     for (std::size_t k = 0; k < N; ++k) a[k] = plane.a0[k] + (b.b1 * plane.d1[k] + b.b2 * plane.d2[k]);

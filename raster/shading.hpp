@@ -12,8 +12,8 @@
 //
 // All of it happens in eye space. With a texture, base is the texel, else the material's colour.
 #pragma once
-#include <algorithm>
 #include <array>
+#include <type_traits>
 
 #include "pipeline/cull.hpp"
 #include "pipeline/light.hpp"
@@ -54,6 +54,10 @@ RgbOf<Real> base_color(const Surface& surface, const Real* uv) {
         return surface.color;
 }
 
+// The numbers that a pixel gets, its lanes named by the caller: pixel<Real>().
+template <class Real>
+using Carried = const std::type_identity_t<Real>*;
+
 struct NoFace {};
 
 template <bool Textured>
@@ -69,9 +73,9 @@ struct Unlit {
         else
             return {};
     }
-    template <class Real>
-    static RgbOf<Real> pixel(const Surface& surface, const Face&, const Real* varying) {
-        return base_color<Textured>(surface, varying);
+    template <class Real = Scalar>
+    static RgbOf<Real> pixel(const Surface& surface, const Face&, Carried<Real> varying) {
+        return base_color<Textured, Real>(surface, varying);
     }
 };
 
@@ -80,9 +84,9 @@ struct Flat : Unlit<Textured> {
     static constexpr bool needs_face = true;
     using Face = Reflection;
 
-    template <class Real>
-    static RgbOf<Real> pixel(const Surface& surface, const ReflectionOf<Real>& face, const Real* varying) {
-        return reflected(base_color<Textured>(surface, varying), face);
+    template <class Real = Scalar>
+    static RgbOf<Real> pixel(const Surface& surface, const ReflectionOf<Real>& face, Carried<Real> varying) {
+        return reflected(base_color<Textured, Real>(surface, varying), face);
     }
 };
 
@@ -102,10 +106,11 @@ struct Gouraud {
             return {c.r, c.g, c.b};
         }
     }
-    template <class Real>
-    static RgbOf<Real> pixel(const Surface& surface, const Face&, const Real* a) {
+    template <class Real = Scalar>
+    static RgbOf<Real> pixel(const Surface& surface, const Face&, Carried<Real> a) {
         if constexpr (Textured)
-            return reflected(base_color<true>(surface, a + 6), {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}});
+            return reflected(base_color<true, Real>(surface, a + 6),
+                             {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}});
         else
             return {a[0], a[1], a[2]};
     }
@@ -124,10 +129,10 @@ struct Phong {
         if constexpr (Textured) a[6] = v.uv.x, a[7] = v.uv.y;
         return a;
     }
-    template <class Real>
-    static RgbOf<Real> pixel(const Surface& surface, const Face&, const Real* a) {
+    template <class Real = Scalar>
+    static RgbOf<Real> pixel(const Surface& surface, const Face&, Carried<Real> a) {
         const Vec3Of<Real> normal = pipeline::normalize<Real>({a[3], a[4], a[5]});
-        return reflected(base_color<Textured>(surface, a + 6),
+        return reflected(base_color<Textured, Real>(surface, a + 6),
                          pipeline::reflect<Real>(surface.lighting, {a[0], a[1], a[2]}, normal));
     }
 };
