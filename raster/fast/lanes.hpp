@@ -91,9 +91,13 @@ RELEVO_LANE bool all(Bools a) { return hn::AllTrue(TagF(), a.m); }
 RELEVO_LANE int count(Bools a) { return static_cast<int>(hn::CountTrue(TagF(), a.m)); }
 // Bit k tells lane k.
 RELEVO_LANE std::uint32_t bits(Bools a) {
+#if HWY_TARGET == HWY_AVX3
+    return a.m.raw;
+#else
     alignas(8) std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(TagF(), a.m, bytes);
     return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8;
+#endif
 }
 RELEVO_LANE Bools first_lanes(int n) { return {hn::FirstN(TagF(), static_cast<std::size_t>(n))}; }
 RELEVO_LANE Bools all_lanes() { return first_lanes(lanes); }
@@ -201,7 +205,16 @@ RELEVO_LANE Ints truncated(Doubles a) {  // of numbers within int32
 }
 RELEVO_LANE Doubles to_big(Ints a) { return to_wide(a); }
 RELEVO_LANE Ints nearest(Doubles a) { return truncated(round_to_even(a)); }  // of numbers within int32
-RELEVO_LANE Ints truncated(Floats a) { return Ints(hn::ConvertTo(TagI(), a.v)); }
+// The processor's own conversion; hn::ConvertTo would take care of numbers outside int32, too.
+RELEVO_LANE Ints truncated(Floats a) {
+#if HWY_TARGET == HWY_AVX3
+    return Ints(hn::Vec<TagI>{_mm512_cvttps_epi32(a.v.raw)});
+#elif HWY_TARGET == HWY_AVX2
+    return Ints(hn::Vec<TagI>{_mm256_cvttps_epi32(a.v.raw)});
+#else
+    return Ints(hn::Vec<TagI>{_mm_cvttps_epi32(a.v.raw)});
+#endif
+}
 RELEVO_LANE Floats to_real(Ints a) { return Floats(hn::ConvertTo(TagF(), a.v)); }
 RELEVO_LANE Words to_word(Ints a) { return Words(hn::BitCast(TagU(), a.v)); }
 RELEVO_LANE Ints to_whole(Words a) { return Ints(hn::BitCast(TagI(), a.v)); }

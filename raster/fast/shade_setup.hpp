@@ -19,16 +19,22 @@ namespace relevo::raster::fast::HWY_NAMESPACE {
 using pipeline::RgbOf;
 using pipeline::Vec3Of;
 
+// After a lambda's parameters: it becomes part of its caller, whatever its size.
+#define RELEVO_INSIDE __attribute__((always_inline))
+
 // ------------------------------------------------------------------------------------------------ loading
 // Four numbers of each lane, from a place of its own: 16 bytes at a time, then 4 x 4 transposes.
 struct Quad {
     Floats a, b, c, d;
 };
-template <class Place>
-RELEVO_LANE Quad load_quads(const Place& place) {  // place(lane): where the four numbers stand
+// base + 8 offset bytes: where the four numbers of a lane stand.
+RELEVO_LANE Quad load_quads(const void* base, const std::uint32_t (&offset)[lanes]) {
     const hn::Full128<float> four;
     const hn::Half<TagF> half;
-    const auto rows = [&](int j) {  // of the lanes j, j + 4, j + 8, j + 12
+    const auto place = [&](int k) RELEVO_INSIDE {
+        return reinterpret_cast<const float*>(static_cast<const char*>(base) + std::size_t{offset[k]} * 8);
+    };
+    const auto rows = [&](auto j) RELEVO_INSIDE {  // of the lanes j, j + 4, j + 8, j + 12
         if constexpr (lanes == 4) {
             return hn::LoadU(four, place(j));
         } else if constexpr (lanes == 8) {
@@ -41,12 +47,12 @@ RELEVO_LANE Quad load_quads(const Place& place) {  // place(lane): where the fou
         }
     };
     const auto r0 = rows(0), r1 = rows(1), r2 = rows(2), r3 = rows(3);
-    const auto pairs = [](auto x) { return hn::BitCast(TagU64(), x); };
+    const auto pairs = [](auto x) RELEVO_INSIDE { return hn::BitCast(TagU64(), x); };
     const auto low01 = pairs(hn::InterleaveLower(TagF(), r0, r1)),
                low23 = pairs(hn::InterleaveLower(TagF(), r2, r3)),
                high01 = pairs(hn::InterleaveUpper(TagF(), r0, r1)),
                high23 = pairs(hn::InterleaveUpper(TagF(), r2, r3));
-    const auto floats = [](auto x) { return Floats(hn::BitCast(TagF(), x)); };
+    const auto floats = [](auto x) RELEVO_INSIDE { return Floats(hn::BitCast(TagF(), x)); };
     return {floats(hn::InterleaveLower(TagU64(), low01, low23)),
             floats(hn::InterleaveUpper(TagU64(), low01, low23)),
             floats(hn::InterleaveLower(TagU64(), high01, high23)),
@@ -54,17 +60,22 @@ RELEVO_LANE Quad load_quads(const Place& place) {  // place(lane): where the fou
 }
 
 // ------------------------------------------------------------------------------------------------ lanes
+template <class Program, class Real>
+using FaceOf = std::conditional_t<Program::needs_face, pipeline::ReflectionOf<Real>, typename Program::Face>;
 template <class Program>
-using LaneFace =
-    std::conditional_t<Program::needs_face, pipeline::ReflectionOf<Floats>, typename Program::Face>;
+using LaneFace = FaceOf<Program, Floats>;
 
 template <class Program>
 struct LaneSetup {
     Ints x0, y0;                       // corner 0, in 1/256 pixel
     Doubles dx1, dy1, dx2, dy2, area;  // exact
     Floats rw0, rw1, rw2;
-    VaryingPlane<Program::size, Floats> plane;
+    Floats carried[3][Program::size + 1];  // (no array has size 0)
     LaneFace<Program> face;
+
+    RELEVO_LANE VaryingPlane<1, Floats> plane(std::size_t k) const {
+        return make_plane<1, Floats>({carried[0][k]}, {carried[1][k]}, {carried[2][k]});
+    }
 };
 
 // Triangles of one model: the ids and, of each, its primitive. They differ for pieces.
@@ -73,37 +84,56 @@ struct LaneIds {
     bool pieces;  // whether there is any
 };
 
+// What the vertices carry; offset: vertex * stride / 2.
 template <class Program>
-RELEVO_LANE std::array<Floats, Program::size> load_carried(const Scalar* const (&place)[lanes]) {
-    std::array<Floats, Program::size> a;
-    const auto part = [&](std::size_t first) {
-        const Quad q = load_quads([&](int k) { return place[k] + first; });
+RELEVO_LANE void load_carried(const Scalar* from, const std::uint32_t (&offset)[lanes], Floats* a) {
+    const auto part = [&](std::size_t first) RELEVO_INSIDE {
+        const Quad q = load_quads(from + first, offset);
         const Floats four[4] = {q.a, q.b, q.c, q.d};
         for (std::size_t j = first; j < Program::size && j < first + 4; ++j) a[j] = four[j - first];
     };
     part(0);
     if constexpr (Program::size > 4) part(4);
-    return a;
 }
 
-// What the corners carry to a back face that is lit by its own normal.
+// Vertices of the mesh; offset: 4 times their number.
+RELEVO_LANE Vec3Of<Floats> eye_position(const ModelState& model, const std::uint32_t (&offset)[lanes]) {
+    const Quad q = load_quads(model.vertices.data(), offset);
+    return moved_point<Floats>(model.setup.eye_from_object.row, {q.a, q.b, q.c});
+}
+// What they carry to a back face that is lit by its own normal.
 template <class Program>
-RELEVO_LANE std::array<Floats, Program::size> carried_to_back(const ModelState& model, Ints vertex) {
-    alignas(64) std::uint32_t index[lanes];
-    store(vertex, index);
-    const auto part = [&](int first) {
-        return load_quads(
-            [&](int k) { return reinterpret_cast<const float*>(&model.vertices[index[k]]) + first; });
-    };
-    const Quad px_nx = part(0), ny_v = part(4);
+RELEVO_LANE std::array<Floats, Program::size> carried_to_back(const ModelState& model,
+                                                              const std::uint32_t (&offset)[lanes]) {
+    const auto* from = reinterpret_cast<const float*>(model.vertices.data());
+    const Quad px_nx = load_quads(from, offset), ny_v = load_quads(from + 4, offset);
     return varying_of<Program, Floats>(model.setup, {px_nx.a, px_nx.b, px_nx.c}, {px_nx.d, ny_v.a, ny_v.b},
                                        {ny_v.c, ny_v.d}, true);
 }
 
-RELEVO_LANE Vec3Of<Floats> eye_position(const ModelState& model, const std::uint32_t (&index)[lanes]) {
-    const Quad q =
-        load_quads([&](int k) { return reinterpret_cast<const float*>(&model.vertices[index[k]].position); });
-    return moved_point<Floats>(model.setup.eye_from_object.row, {q.a, q.b, q.c});
+// Pieces stand elsewhere: they replace what was read of the mesh, lane by lane. This is rare, so it is kept
+// out of the way.
+struct PieceLanes {
+    alignas(64) std::uint32_t id[lanes];
+    alignas(64) std::int32_t x[3][lanes], y[3][lanes], turn[lanes];
+    alignas(64) float rw[3][lanes], carried[3][max_carried][lanes];
+};
+[[gnu::noinline]] static void read_corners(const DrawState& draw, PieceLanes& p) {
+    for (int k = 0; k < lanes; ++k) {
+        if (!(p.id[k] & piece_bit)) continue;
+        for (int c = 0; c < 3; ++c) {
+            const SnappedCorner& corner = piece(draw, p.id[k]).window[c];
+            p.x[c][k] = corner.x, p.y[c][k] = corner.y, p.rw[c][k] = corner.rw;
+        }
+    }
+}
+[[gnu::noinline]] static void read_carried(const DrawState& draw, PieceLanes& p, std::size_t size) {
+    for (int k = 0; k < lanes; ++k) {
+        if (!(p.id[k] & piece_bit)) continue;
+        for (int c = 0; c < 3; ++c)
+            for (std::size_t j = 0; j < size; ++j)
+                p.carried[c][j][k] = piece(draw, p.id[k]).carried[(p.turn[k] + c) % 3][j];
+    }
 }
 
 // The triangles `ids` of the model, in every lane one.
@@ -114,46 +144,40 @@ RELEVO_LANE LaneSetup<Program> set_up(const DrawState& draw, const ModelState& m
     if constexpr (size == 0 && !Program::needs_face) return s;
 
     Ints corner[3];  // the vertices' numbers
-    alignas(64) std::uint32_t index[3][lanes];
     const Ints local = ids.primitive - Ints(static_cast<std::int32_t>(model.first_primitive));
     const Ints first_index = local + local + local;
-    for (int c = 0; c < 3; ++c) {
-        corner[c] = gather(model.indices.data() + c, first_index);
-        store(corner[c], index[c]);
-    }
-    alignas(64) std::uint32_t id[lanes];
-    if (ids.pieces) store(ids.id, id);
+    for (int c = 0; c < 3; ++c) corner[c] = gather(model.indices.data() + c, first_index);
+    PieceLanes pieces;
+    if (ids.pieces) store(ids.id, pieces.id);
 
-    Bools back = first_lanes(0);
-    Ints rotation(0);  // which of the mesh's corners is corner 0
-    Bools negative = back;
+    alignas(64) std::uint32_t offset[3][lanes];
+    Bools back = first_lanes(0), one = back, two = back;
     if (size > 0 || model.setup.surface.two_sided) {
         LaneCorner window[3];
         for (int c = 0; c < 3; ++c) {
-            Quad q;
-            if (!ids.pieces) {
-                q = load_quads(
-                    [&](int k) { return reinterpret_cast<const float*>(model.window + index[c][k]); });
-            } else {
-                q = load_quads([&](int k) {
-                    return reinterpret_cast<const float*>(id[k] & piece_bit ? &piece(draw, id[k]).window[c]
-                                                                            : model.window + index[c][k]);
-                });
-            }
+            store(shift_left<1>(corner[c]), offset[c]);
+            const Quad q = load_quads(model.window, offset[c]);
             window[c] = {float_bits(q.a), float_bits(q.b), q.c, q.d};
         }
-        const Bools one = is_above(window[1], window[0]),
-                    two = is_above(window[2], select(one, window[1], window[0]));
+        if (ids.pieces) {
+            for (int c = 0; c < 3; ++c)
+                store(window[c].x, pieces.x[c]), store(window[c].y, pieces.y[c]),
+                    store(window[c].rw, pieces.rw[c]);
+            read_corners(draw, pieces);
+            for (int c = 0; c < 3; ++c)
+                window[c] = {load(pieces.x[c]), load(pieces.y[c]), window[c].z, load(pieces.rw[c])};
+        }
+        one = is_above(window[1], window[0]);
+        two = is_above(window[2], select(one, window[1], window[0]));
         const LaneCorner c0 = select(two, window[2], select(one, window[1], window[0])),
                          next = select(two, window[0], select(one, window[2], window[1])),
                          last = select(two, window[1], select(one, window[0], window[2]));
         const Doubles dx = to_wide(next.x - c0.x), dy = to_wide(next.y - c0.y), ex = to_wide(last.x - c0.x),
                       ey = to_wide(last.y - c0.y);
         const Doubles signed_area = dx * ey - dy * ex;
-        negative = is_negative(signed_area);
+        const Bools negative = is_negative(signed_area);
         back = model.setup.mirrored ? negative : !negative;
         if constexpr (size > 0) {
-            rotation = select(two, Ints(2), select(one, Ints(1), Ints(0)));
             // With negative area the corners 1 and 2 change places: the formulas treat them alike, so it is
             // enough to turn the signs of the edges.
             s.x0 = c0.x, s.y0 = c0.y, s.rw0 = c0.rw, s.rw1 = next.rw, s.rw2 = last.rw;
@@ -165,40 +189,40 @@ RELEVO_LANE LaneSetup<Program> set_up(const DrawState& draw, const ModelState& m
 
     if constexpr (size > 0) {
         // the corners in their canonical order: 0 1 2, 1 2 0 or 2 0 1
-        const Bools one = rotation == Ints(1), two = rotation == Ints(2);
         const Ints ordered[3] = {select(two, corner[2], select(one, corner[1], corner[0])),
                                  select(two, corner[0], select(one, corner[2], corner[1])),
                                  select(two, corner[1], select(one, corner[0], corner[2]))};
-        std::array<Floats, size> a[3];
-        alignas(64) std::int32_t turn[lanes];
-        if (ids.pieces) store(rotation, turn);
         for (int c = 0; c < 3; ++c) {
-            alignas(64) std::uint32_t vertex[lanes];
-            store(ordered[c], vertex);
-            const Scalar* place[lanes];
-            for (int k = 0; k < lanes; ++k)
-                place[k] = model.carried + std::size_t{vertex[k]} * (size > 4 ? 8 : 4);
-            if (ids.pieces)
-                for (int k = 0; k < lanes; ++k)
-                    if (id[k] & piece_bit) place[k] = piece(draw, id[k]).carried[(turn[k] + c) % 3];
-            a[c] = load_carried<Program>(place);
+            store(size > 4 ? shift_left<2>(ordered[c]) : shift_left<1>(ordered[c]), offset[c]);
+            load_carried<Program>(model.carried, offset[c], s.carried[c]);
+        }
+        if (ids.pieces) {
+            store(select(two, Ints(2), select(one, Ints(1), Ints(0))), pieces.turn);
+            for (int c = 0; c < 3; ++c)
+                for (std::size_t j = 0; j < size; ++j) store(s.carried[c][j], pieces.carried[c][j]);
+            read_carried(draw, pieces, size);
+            for (int c = 0; c < 3; ++c)
+                for (std::size_t j = 0; j < size; ++j) s.carried[c][j] = load(pieces.carried[c][j]);
         }
         if constexpr (Program::needs_eye) {
-            const Bools turned = back & !is_negative(ids.id);  // a piece already carries its side's numbers
+            const Bools turned = back && !is_negative(ids.id);  // a piece already carries its side's numbers
             if (model.setup.both_sides && any(turned)) {
                 for (int c = 0; c < 3; ++c) {
-                    const std::array<Floats, size> other = carried_to_back<Program>(model, ordered[c]);
-                    for (std::size_t j = 0; j < size; ++j) a[c][j] = select(turned, other[j], a[c][j]);
+                    store(shift_left<2>(ordered[c]), offset[c]);
+                    const std::array<Floats, size> other = carried_to_back<Program>(model, offset[c]);
+                    for (std::size_t j = 0; j < size; ++j)
+                        s.carried[c][j] = select(turned, other[j], s.carried[c][j]);
                 }
             }
         }
-        s.plane = make_plane<size, Floats>(a[0], a[1], a[2]);
     }
-    if constexpr (Program::needs_face)
+    if constexpr (Program::needs_face) {
+        for (int c = 0; c < 3; ++c) store(shift_left<2>(corner[c]), offset[c]);
         s.face = reflect_face<Floats>(
             model.setup.surface,
-            {eye_position(model, index[0]), eye_position(model, index[1]), eye_position(model, index[2])},
+            {eye_position(model, offset[0]), eye_position(model, offset[1]), eye_position(model, offset[2])},
             back, model.setup.mirrored);
+    }
     return s;
 }
 
@@ -218,10 +242,15 @@ RELEVO_LANE EdgeValuesOf<Floats> edge_values(const LaneSetup<Program>& s, Ints x
 //
 //   E_k (x, y) = e[k] + x across[k] + y down[k]
 struct KeptSetup {
+    RELEVO_LANE pipeline::Reflection reflection() const {
+        return {{face[0], face[1], face[2]}, {face[3], face[4], face[5]}};
+    }
+    RELEVO_LANE LinearRgb rgb() const { return {color[0], color[1], color[2]}; }
+
     double e[3], across[3], down[3], rw[3];
     Scalar a0[max_carried], d1[max_carried], d2[max_carried];
-    pipeline::Reflection face;
-    LinearRgb color;  // of the programs that carry nothing: every pixel has it
+    Scalar face[6];   // amount, gloss
+    Scalar color[3];  // of the programs that carry nothing: every pixel has it
     std::uint32_t packed, model;
 };
 
@@ -239,7 +268,7 @@ RELEVO_LANE void store_setups(const DrawState& draw, std::uint32_t model_number,
         store(to_whole(packed_rgba8(c, draw.settings.output)), packed);
         for (std::uint32_t rest = which; rest != 0; rest &= rest - 1) {
             const int k = std::countr_zero(rest);
-            to[k]->color = {rgb[0][k], rgb[1][k], rgb[2][k]};
+            for (int j = 0; j < 3; ++j) to[k]->color[j] = rgb[j][k];
             to[k]->packed = packed[k];
             to[k]->model = model_number;
         }
@@ -263,9 +292,10 @@ RELEVO_LANE void store_setups(const DrawState& draw, std::uint32_t model_number,
         for (int j = 0; j < 12; ++j) store(wide[j], numbers[j]);
         alignas(64) float carried[3][size][lanes], face[6][lanes];
         for (std::size_t j = 0; j < size; ++j) {
-            store(s.plane.a0[j], carried[0][j]);
-            store(s.plane.d1[j], carried[1][j]);
-            store(s.plane.d2[j], carried[2][j]);
+            const VaryingPlane<1, Floats> plane = s.plane(j);
+            store(plane.a0[0], carried[0][j]);
+            store(plane.d1[0], carried[1][j]);
+            store(plane.d2[0], carried[2][j]);
         }
         if constexpr (Program::needs_face) {
             store(s.face.amount.r, face[0]), store(s.face.amount.g, face[1]), store(s.face.amount.b, face[2]);
@@ -281,7 +311,7 @@ RELEVO_LANE void store_setups(const DrawState& draw, std::uint32_t model_number,
             for (std::size_t j = 0; j < size; ++j)
                 t.a0[j] = carried[0][j][k], t.d1[j] = carried[1][j][k], t.d2[j] = carried[2][j][k];
             if constexpr (Program::needs_face)
-                t.face = {{face[0][k], face[1][k], face[2][k]}, {face[3][k], face[4][k], face[5][k]}};
+                for (int j = 0; j < 6; ++j) t.face[j] = face[j][k];
             t.model = model_number;
         }
     }

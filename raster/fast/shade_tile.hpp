@@ -13,9 +13,11 @@
 #pragma once
 #include "raster/fast/cover_tile.hpp"
 #include "raster/fast/shade_setup.hpp"
+#include "raster/fast/twice.hpp"
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
+inline constexpr std::uint32_t full_group = (2u << (lanes - 1)) - 1;
 inline constexpr int most_runs = 5, band_rows = 8, max_tile_groups = 128 / lanes;
 
 // The set-ups that are kept, of one tile.
@@ -53,17 +55,6 @@ struct GroupRuns {
     std::uint32_t covered, ends;
 };
 
-struct Colors {
-    Words packed;
-    RgbOf<Floats> linear;
-};
-RELEVO_LANE Colors select(Bools mask, const Colors& yes, const Colors& no) {
-    return {to_word(select(mask, to_whole(yes.packed), to_whole(no.packed))),
-            pipeline::select(mask, yes.linear, no.linear)};
-}
-RELEVO_LANE Colors background_colors(const DrawState& draw) {
-    return {Words(std::bit_cast<std::uint32_t>(draw.background8)), draw.background};
-}
 RELEVO_LANE Bools from_bits(std::uint32_t which) {
     const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(which), static_cast<std::uint8_t>(which >> 8)};
     return {hn::LoadMaskBits(TagF(), bytes)};
@@ -86,7 +77,7 @@ RELEVO_LANE void for_each_model(const DrawState& draw, Ints id, std::uint32_t wh
         const int first = std::countr_zero(which);
         const std::uint32_t number = draw.models.size() == 1 ? 0 : model_of(draw, primitives[first]);
         const ModelState& model = draw.models[number];
-        const auto whole = [](std::uint32_t x) { return Ints(static_cast<std::int32_t>(x)); };
+        const auto whole = [](std::uint32_t x) RELEVO_INSIDE { return Ints(static_cast<std::int32_t>(x)); };
         const Bools before = primitive < whole(model.first_primitive),
                     inside = primitive < whole(model.first_primitive + model.triangles) && !before;
         const Bools mine = inside && from_bits(which);
@@ -103,30 +94,114 @@ RELEVO_LANE void with_texture(const ModelState& model, Use&& use) {
     model.textured ? use(Program<true>{}) : use(Program<false>{});
 }
 
-template <class Program>
-RELEVO_LANE Colors shade_lanes(const DrawState& draw, const ModelState& model, const LaneFace<Program>& face,
-                               const std::array<Floats, Program::size>& carried) {
-    const RgbOf<Floats> c = Program::template pixel<Floats>(model.setup.surface, face, carried.data());
-    return {packed_rgba8(c, draw.settings.output), c};
+// ------------------------------------------------------------------------------------------------ light
+// The tile at hand.
+struct TileAt {
+    const DrawState& draw;
+    const TileMemory& tile;
+    const TileBox& box;
+
+    RELEVO_LANE std::uint32_t* color(int row, int column) const {
+        return tile.color + row * tile.stride + column;
+    }
+    RELEVO_LANE pipeline::LinearRgb* linear(int row, int column) const {
+        return draw.linear + std::size_t(box.y0 + row) * std::size_t(draw.viewport.width) + box.x0 + column;
+    }
+    // The lanes of `which` of the group.
+    RELEVO_LANE void write(Words packed, const RgbOf<Floats>& c, std::uint32_t which, int row,
+                           int column) const {
+        std::uint32_t* to = color(row, column);
+        const Ints colors = to_whole(packed);
+        store(which == full_group ? colors : select(from_bits(which), colors, load(to)), to);
+        if (draw.linear == nullptr) return;
+        alignas(64) float rgb[3][lanes];
+        store(c.r, rgb[0]), store(c.g, rgb[1]), store(c.b, rgb[2]);
+        for (; which != 0; which &= which - 1) {
+            const int k = std::countr_zero(which);
+            linear(row, column)[k] = {rgb[0][k], rgb[1][k], rgb[2][k]};
+        }
+    }
+};
+
+// Groups whose carried numbers are known wait for each other, so that light runs for two of them at once.
+//
+//   numbers   carried 0 .. 7, then amount and gloss of the face          of each group
+struct WaitingGroups {
+    alignas(64) float numbers[max_carried + 6][2][lanes];
+    int count = 0;
+    const ModelState* model;  // of both
+    int row[2], column[2];
+    std::uint32_t which[2];
+
+    RELEVO_LANE Floats2 operator()(std::size_t k) const {
+        return {load(numbers[k][0]), load(numbers[k][count - 1])};
+    }
+};
+
+template <template <bool> class Program>
+[[gnu::noinline, gnu::flatten]] void light_groups(const TileAt& at, WaitingGroups& waiting) {
+    with_texture<Program>(*waiting.model, [&]<class P>(P) RELEVO_INSIDE {
+        std::array<Floats2, P::size> carried;
+        for (std::size_t k = 0; k < P::size; ++k) carried[k] = waiting(k);
+        FaceOf<P, Floats2> face{};
+        if constexpr (P::needs_face) {
+            constexpr std::size_t first = max_carried;
+            face = {{waiting(first), waiting(first + 1), waiting(first + 2)},
+                    {waiting(first + 3), waiting(first + 4), waiting(first + 5)}};
+        }
+        const RgbOf<Floats2> c =
+            P::template pixel<Floats2>(waiting.model->setup.surface, face, carried.data());
+        const Twice<Words> packed = packed_rgba8<Floats2>(c, at.draw.settings.output);
+        at.write(packed.a, {c.r.a, c.g.a, c.b.a}, waiting.which[0], waiting.row[0], waiting.column[0]);
+        if (waiting.count == 2)
+            at.write(packed.b, {c.r.b, c.g.b, c.b.b}, waiting.which[1], waiting.row[1], waiting.column[1]);
+    });
+    waiting.count = 0;
+}
+
+// The lanes of `which` of a group are known up to light.
+template <template <bool> class Program, class P>
+RELEVO_LANE void light_later(const TileAt& at, WaitingGroups& waiting, const ModelState& model,
+                             const std::array<Floats, P::size>& carried, const LaneFace<P>& face,
+                             std::uint32_t which, int row, int column) {
+    if (waiting.count == 1 && waiting.model != &model) light_groups<Program>(at, waiting);
+    const int n = waiting.count++;
+    waiting.model = &model;
+    waiting.which[n] = which, waiting.row[n] = row, waiting.column[n] = column;
+    for (std::size_t k = 0; k < P::size; ++k) store(carried[k], waiting.numbers[k][n]);
+    if constexpr (P::needs_face) {
+        const Floats of_face[6] = {face.amount.r, face.amount.g, face.amount.b,
+                                   face.gloss.r,  face.gloss.g,  face.gloss.b};
+        for (int k = 0; k < 6; ++k) store(of_face[k], waiting.numbers[max_carried + k][n]);
+    }
+    if (waiting.count == 2) light_groups<Program>(at, waiting);
 }
 
 // ------------------------------------------------------------------------------------------------ many
 template <template <bool> class Program>
-[[gnu::noinline, gnu::flatten]] void shade_many(const DrawState& draw, const std::uint32_t* visible,
-                                                std::uint32_t covered, int x, int y, Colors& colors) {
+[[gnu::noinline, gnu::flatten]] void shade_many(const TileAt& at, WaitingGroups& waiting,
+                                                std::uint32_t covered, int row, int column) {
+    const Ints id = load(at.tile.visible + row * at.tile.stride + column);
     for_each_model(
-        draw, load(visible), covered, [&](std::uint32_t number, std::uint32_t which, const LaneIds& ids) {
-            const ModelState& model = draw.models[number];
-            with_texture<Program>(model, [&]<class P>(P) {
-                const LaneSetup<P> s = set_up<P>(draw, model, ids);
-                std::array<Floats, P::size> carried;
-                if constexpr (P::size > 0) {
-                    const auto e = edge_values(s, Ints(x) + lane_numbers(), Ints(y));
+        at.draw, id, covered,
+        [&](std::uint32_t number, std::uint32_t which, const LaneIds& ids) RELEVO_INSIDE {
+            const ModelState& model = at.draw.models[number];
+            with_texture<Program>(model, [&]<class P>(P) RELEVO_INSIDE {
+                const LaneSetup<P> s = set_up<P>(at.draw, model, ids);
+                if constexpr (P::size == 0) {
+                    const RgbOf<Floats> c = P::template pixel<Floats>(model.setup.surface, s.face, nullptr);
+                    at.write(packed_rgba8<Floats>(c, at.draw.settings.output), c, which, row, column);
+                } else {
+                    const auto e =
+                        edge_values(s, Ints(at.box.x0 + column) + lane_numbers(), Ints(at.box.y0 + row));
                     const InterpolatorOf<Floats> rw{
                         {}, {}, {}, to_wide(s.rw0), to_wide(s.rw1), to_wide(s.rw2)};
-                    carried = interpolate(s.plane, perspective_weights<Floats>(rw, e));
+                    const auto weights = perspective_weights<Floats>(rw, e);
+                    std::array<Floats, P::size> carried;
+                    for (std::size_t k = 0; k < P::size; ++k)
+                        carried[k] = interpolate(s.plane(k), weights)[0];
+                    light_later<Program, P>(at, waiting, model, carried, s.face, which, row, column);
                 }
-                colors = select(from_bits(which), shade_lanes<P>(draw, model, s.face, carried), colors);
             });
         });
 }
@@ -137,9 +212,9 @@ template <template <bool> class Program>
 [[gnu::noinline, gnu::flatten]] void prepare(const DrawState& draw, const std::uint32_t (&ids)[lanes],
                                              std::uint32_t which, KeptSetup* const (&to)[lanes]) {
     for_each_model(draw, load(ids), which,
-                   [&](std::uint32_t number, std::uint32_t mine, const LaneIds& lane_ids) {
+                   [&](std::uint32_t number, std::uint32_t mine, const LaneIds& lane_ids) RELEVO_INSIDE {
                        const ModelState& model = draw.models[number];
-                       with_texture<Program>(model, [&]<class P>(P) {
+                       with_texture<Program>(model, [&]<class P>(P) RELEVO_INSIDE {
                            store_setups(draw, number, set_up<P>(draw, model, lane_ids), mine, to);
                        });
                    });
@@ -167,7 +242,7 @@ RELEVO_LANE void prepare_band(const DrawState& draw, const TileMemory& tile, con
                 ids[waiting] = new_id;
                 to[waiting++] = stored.add(new_id);
                 if (waiting < lanes) continue;
-                prepare<Program>(draw, ids, (2u << (lanes - 1)) - 1, to);
+                prepare<Program>(draw, ids, full_group, to);
                 waiting = 0;
             }
         }
@@ -176,31 +251,47 @@ RELEVO_LANE void prepare_band(const DrawState& draw, const TileMemory& tile, con
 }
 
 RELEVO_LANE EdgeValuesOf<Floats> edge_values(const KeptSetup& t, Doubles x, double y) {
-    const auto value = [&](int k) { return Doubles(t.e[k] + y * t.down[k]) + x * Doubles(t.across[k]); };
+    const auto value = [&](int k) RELEVO_INSIDE {
+        return Doubles(t.e[k] + y * t.down[k]) + x * Doubles(t.across[k]);
+    };
     return {value(0), value(1), value(2)};
 }
 
 template <class Program>
 RELEVO_LANE std::array<Floats, Program::size> carried_at(const KeptSetup& t,
                                                          const PerspectiveWeightsOf<Floats>& weights) {
-    VaryingPlane<Program::size> plane;
-    for (std::size_t j = 0; j < Program::size; ++j)
-        plane.a0[j] = t.a0[j], plane.d1[j] = t.d1[j], plane.d2[j] = t.d2[j];
-    return interpolate(plane, weights);
+    std::array<Floats, Program::size> a;
+    for (std::size_t k = 0; k < Program::size; ++k)
+        a[k] = interpolate(VaryingPlane<1>{{t.a0[k]}, {t.d1[k]}, {t.d2[k]}}, weights)[0];
+    return a;
+}
+
+template <class Program>
+RELEVO_LANE LaneFace<Program> face_of(const KeptSetup& t) {
+    if constexpr (Program::needs_face) {
+        const pipeline::Reflection r = t.reflection();
+        return {r.amount, r.gloss};
+    } else {
+        return {};
+    }
 }
 
 // All lanes show one triangle.
-template <class Program>
-RELEVO_LANE Colors shade_uniform(const DrawState& draw, const KeptSetup& t, Doubles x, double y) {
-    if constexpr (Program::size == 0) {
-        return {Words(t.packed), t.color};
-    } else {
-        const Interpolator rw{0, 0, 0, t.rw[0], t.rw[1], t.rw[2]};
-        const auto weights = perspective_weights<Floats>(rw, edge_values(t, x, y));
-        LaneFace<Program> face{};
-        if constexpr (Program::needs_face) face = {t.face.amount, t.face.gloss};
-        return shade_lanes<Program>(draw, draw.models[t.model], face, carried_at<Program>(t, weights));
-    }
+template <template <bool> class Program>
+RELEVO_LANE void shade_uniform(const TileAt& at, WaitingGroups& waiting, const KeptSetup& t,
+                               std::uint32_t covered, int row, int column) {
+    const ModelState& model = at.draw.models[t.model];
+    with_texture<Program>(model, [&]<class P>(P) RELEVO_INSIDE {
+        if constexpr (P::size == 0) {
+            at.write(Words(t.packed), t.rgb(), covered, row, column);
+        } else {
+            const Interpolator rw{0, 0, 0, t.rw[0], t.rw[1], t.rw[2]};
+            const auto e =
+                edge_values(t, to_wide(lane_numbers() + Ints(at.box.x0 + column)), at.box.y0 + row);
+            light_later<Program, P>(at, waiting, model, carried_at<P>(t, perspective_weights<Floats>(rw, e)),
+                                    face_of<P>(t), covered, row, column);
+        }
+    });
 }
 
 // A truth a lane, as wide as the lanes of Doubles.
@@ -209,7 +300,7 @@ struct WideMask {
 };
 RELEVO_LANE WideMask wide_mask(Bools mask) {
     const auto whole = hn::VecFromMask(TagI(), int_mask(mask));
-    const auto widen = [](auto half) {
+    const auto widen = [](auto half) RELEVO_INSIDE {
         return hn::MaskFromVec(hn::BitCast(TagD(), hn::PromoteTo(hn::ScalableTag<std::int64_t>(), half)));
     };
     return {widen(hn::LowerHalf(whole)), widen(hn::UpperHalf(HalfI(), whole))};
@@ -225,42 +316,52 @@ struct Few {
 };
 
 // The lanes show the triangles of `few`, all of one model.
-template <class Program>
-RELEVO_LANE Colors shade_few(const DrawState& draw, const Few& few, Doubles x, double y) {
+template <template <bool> class Program>
+RELEVO_LANE void shade_few(const TileAt& at, WaitingGroups& waiting, const Few& few, std::uint32_t covered,
+                           int row, int column) {
     const KeptSetup& first = *few.setup[0];
-    if constexpr (Program::size == 0) {
-        Colors colors{Words(first.packed), first.color};
-        for (int n = 1; n < few.count; ++n)
-            colors = select(few.lanes_of[n], {Words(few.setup[n]->packed), few.setup[n]->color}, colors);
-        return colors;
-    } else {
-        EdgeValuesOf<Floats> e = edge_values(first, x, y);
-        InterpolatorOf<Floats> rw{{}, {}, {}, first.rw[0], first.rw[1], first.rw[2]};
-        for (int n = 1; n < few.count; ++n) {
-            const KeptSetup& t = *few.setup[n];
-            const EdgeValuesOf<Floats> other = edge_values(t, x, y);
-            const WideMask mask = wide_mask(few.lanes_of[n]);
-            e = {select(mask, other.e0, e.e0), select(mask, other.e1, e.e1), select(mask, other.e2, e.e2)};
-            rw.rw0 = select(mask, Doubles(t.rw[0]), rw.rw0);
-            rw.rw1 = select(mask, Doubles(t.rw[1]), rw.rw1);
-            rw.rw2 = select(mask, Doubles(t.rw[2]), rw.rw2);
-        }
-        const auto weights = perspective_weights<Floats>(rw, e);
-        std::array<Floats, Program::size> carried = carried_at<Program>(first, weights);
-        LaneFace<Program> face{};
-        if constexpr (Program::needs_face) face = {first.face.amount, first.face.gloss};
-        for (int n = 1; n < few.count; ++n) {
-            const auto other = carried_at<Program>(*few.setup[n], weights);
-            for (std::size_t j = 0; j < Program::size; ++j)
-                carried[j] = select(few.lanes_of[n], other[j], carried[j]);
-            if constexpr (Program::needs_face) {
-                const pipeline::Reflection& f = few.setup[n]->face;
-                face.amount = pipeline::select<Floats>(few.lanes_of[n], f.amount, face.amount);
-                face.gloss = pipeline::select<Floats>(few.lanes_of[n], f.gloss, face.gloss);
+    const ModelState& model = at.draw.models[first.model];
+    with_texture<Program>(model, [&]<class P>(P) RELEVO_INSIDE {
+        if constexpr (P::size == 0) {
+            Ints packed(static_cast<std::int32_t>(first.packed));
+            RgbOf<Floats> c = first.rgb();
+            for (int n = 1; n < few.count; ++n) {
+                packed =
+                    select(few.lanes_of[n], Ints(static_cast<std::int32_t>(few.setup[n]->packed)), packed);
+                c = pipeline::select<Floats>(few.lanes_of[n], few.setup[n]->rgb(), c);
             }
+            at.write(to_word(packed), c, covered, row, column);
+        } else {
+            const Doubles x = to_wide(lane_numbers() + Ints(at.box.x0 + column));
+            const double y = at.box.y0 + row;
+            EdgeValuesOf<Floats> e = edge_values(first, x, y);
+            InterpolatorOf<Floats> rw{{}, {}, {}, first.rw[0], first.rw[1], first.rw[2]};
+            for (int n = 1; n < few.count; ++n) {
+                const KeptSetup& t = *few.setup[n];
+                const EdgeValuesOf<Floats> other = edge_values(t, x, y);
+                const WideMask mask = wide_mask(few.lanes_of[n]);
+                e = {select(mask, other.e0, e.e0), select(mask, other.e1, e.e1),
+                     select(mask, other.e2, e.e2)};
+                rw.rw0 = select(mask, Doubles(t.rw[0]), rw.rw0);
+                rw.rw1 = select(mask, Doubles(t.rw[1]), rw.rw1);
+                rw.rw2 = select(mask, Doubles(t.rw[2]), rw.rw2);
+            }
+            const auto weights = perspective_weights<Floats>(rw, e);
+            std::array<Floats, P::size> carried = carried_at<P>(first, weights);
+            LaneFace<P> face = face_of<P>(first);
+            for (int n = 1; n < few.count; ++n) {
+                const auto other = carried_at<P>(*few.setup[n], weights);
+                for (std::size_t j = 0; j < P::size; ++j)
+                    carried[j] = select(few.lanes_of[n], other[j], carried[j]);
+                if constexpr (P::needs_face) {
+                    const pipeline::Reflection f = few.setup[n]->reflection();
+                    face.amount = pipeline::select<Floats>(few.lanes_of[n], f.amount, face.amount);
+                    face.gloss = pipeline::select<Floats>(few.lanes_of[n], f.gloss, face.gloss);
+                }
+            }
+            light_later<Program, P>(at, waiting, model, carried, face, covered, row, column);
         }
-        return shade_lanes<Program>(draw, draw.models[first.model], face, carried);
-    }
+    });
 }
 
 // False when a set-up is missing or the triangles are of several models.
@@ -279,58 +380,44 @@ RELEVO_LANE bool find_few(const KeptSetups& stored, const std::uint32_t* visible
 }
 
 // ------------------------------------------------------------------------------------------------ a tile
-RELEVO_LANE void store_linear(const RgbOf<Floats>& c, int n, pipeline::LinearRgb* to) {
-    alignas(64) float rgb[3 * lanes];
-    hn::StoreInterleaved3(c.r.v, c.g.v, c.b.v, TagF(), rgb);
-    for (int k = 0; k < n; ++k) to[k] = {rgb[3 * k], rgb[3 * k + 1], rgb[3 * k + 2]};
-}
-
 template <template <bool> class Program>
 [[gnu::noinline, gnu::flatten]] std::uint64_t shade_rows(const DrawState& draw, const TileMemory& tile,
                                                          const TileBox& box) {
-    KeptSetups stored;
+    const TileAt at{draw, tile, box};
+    const Words background(std::bit_cast<std::uint32_t>(draw.background8));
+    KeptSetups kept;
+    WaitingGroups waiting;
     GroupRuns groups[band_rows * max_tile_groups];
-    const Colors background = background_colors(draw);
     std::uint64_t shaded = 0;
     for (int first_row = 0; first_row < box.height; first_row += band_rows) {
         const int last_row = first_row + band_rows < box.height ? first_row + band_rows : box.height;
-        prepare_band<Program>(draw, tile, box, first_row, last_row, stored, groups);
+        prepare_band<Program>(draw, tile, box, first_row, last_row, kept, groups);
         const GroupRuns* group = groups;
         for (int row = first_row; row < last_row; ++row) {
             const std::uint32_t* visible = tile.visible + row * tile.stride;
-            const int y = box.y0 + row;
             for (int column = 0; column < box.width; column += lanes, ++group) {
-                const int x = box.x0 + column;
-                Colors colors = background;
-                if (group->covered != 0) {
-                    shaded += static_cast<unsigned>(std::popcount(group->covered));
-                    const Doubles centres = to_wide(lane_numbers() + Ints(x));
-                    const KeptSetup* one = nullptr;
-                    Few few;
-                    if (std::has_single_bit(group->ends) &&
-                        (one = stored.find(visible[column + std::countr_zero(group->ends)])) != nullptr) {
-                        with_texture<Program>(draw.models[one->model], [&]<class P>(P) {
-                            colors = shade_uniform<P>(draw, *one, centres, y);
-                        });
-                        if (group->covered != (2u << (lanes - 1)) - 1)
-                            colors = select(from_bits(group->covered), colors, background);
-                    } else if (std::popcount(group->ends) <= most_runs &&
-                               find_few(stored, visible + column, load(visible + column), group->ends, few)) {
-                        with_texture<Program>(draw.models[few.setup[0]->model], [&]<class P>(P) {
-                            colors = shade_few<P>(draw, few, centres, y);
-                        });
-                        colors = select(from_bits(group->covered), colors, background);
-                    } else {
-                        shade_many<Program>(draw, visible + column, group->covered, x, y, colors);
-                    }
+                if (group->covered != full_group) {
+                    const int in_box = box.width - column < lanes ? box.width - column : lanes;
+                    store(to_whole(background), at.color(row, column));
+                    if (draw.linear != nullptr)
+                        for (int k = 0; k < in_box; ++k) at.linear(row, column)[k] = draw.background;
+                    if (group->covered == 0) continue;
                 }
-                store(to_whole(colors.packed), tile.color + row * tile.stride + column);
-                if (draw.linear != nullptr)
-                    store_linear(colors.linear, box.width - column < lanes ? box.width - column : lanes,
-                                 draw.linear + std::size_t(y) * std::size_t(draw.viewport.width) + x);
+                shaded += static_cast<unsigned>(std::popcount(group->covered));
+                const KeptSetup* one = nullptr;
+                Few few;
+                if (std::has_single_bit(group->ends) &&
+                    (one = kept.find(visible[column + std::countr_zero(group->ends)])) != nullptr)
+                    shade_uniform<Program>(at, waiting, *one, group->covered, row, column);
+                else if (std::popcount(group->ends) <= most_runs &&
+                         find_few(kept, visible + column, load(visible + column), group->ends, few))
+                    shade_few<Program>(at, waiting, few, group->covered, row, column);
+                else
+                    shade_many<Program>(at, waiting, group->covered, row, column);
             }
         }
     }
+    if (waiting.count > 0) light_groups<Program>(at, waiting);
     return shaded;
 }
 
