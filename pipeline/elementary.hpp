@@ -48,7 +48,7 @@ inline Exponent exponent(Scalar n) {
 Scalar general_power(Scalar x, Scalar n);
 
 template <class Real>
-Real power(Real x, const Exponent& n) {
+[[gnu::always_inline]] inline Real power(Real x, Exponent n) {
     const Mask<Real> positive = x > 0;
     if (!any(positive)) return 0;
     if (n.integer == 0) return each_lane([&](Scalar lane) { return general_power(lane, n.value); }, x);

@@ -64,17 +64,18 @@ struct Lighting {
 // A zero normal, or a light or viewer at the very point, leaves its terms out. Never not-a-number for finite
 // input.
 template <class Real>
-ReflectionOf<Real> reflect(const Lighting& lighting, const Vec3Of<Real>& point, const Vec3Of<Real>& n) {
+[[gnu::always_inline]] inline ReflectionOf<Real> reflect(const Lighting& lighting, const Vec3Of<Real>& point,
+                                                         const Vec3Of<Real>& n) {
     using Vector = Vec3Of<Real>;
     const Vector v = lighting.parallel_view ? Vector{0, 0, 1} : normalize<Real>(-point);
     ReflectionOf<Real> sum{{lighting.ambient, lighting.ambient, lighting.ambient}, {0, 0, 0}};
     for (const EyeLight& light : lighting.lights) {
-        const RgbOf<Real> color = light.color;
         const Vector l =
             light.directional ? Vector(light.place) : normalize<Real>(Vector(light.place) - point);
         const Real nl = dot<Real>(n, l);
         const Mask<Real> lit = nl > 0;
         if (!any(lit)) continue;
+        const RgbOf<Real> color = light.color;
         const Vector r = (nl + nl) * n - l;
         const Real shine = power(dot<Real>(r, v), lighting.shininess);
         sum.amount = select(lit, sum.amount + (lighting.diffuse * nl) * color, sum.amount);

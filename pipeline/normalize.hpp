@@ -16,15 +16,15 @@ constexpr Vec3Of<Real> cross(const Vec3Of<Real>& a, const Vec3Of<Real>& b) {
 
 // Squared lengths outside [1e-30, 1e30] are brought back by a power of two first, which rounds nothing.
 // Zero stays zero; a vector with an infinite or undefined component becomes zero.
-Vec3 normalize_extreme(const Vec3& v);
+[[gnu::cold]] Vec3 normalize_extreme(Vec3 v);
 
 // v * (1 / sqrt(v.v)): error below 3 ulp a component.
 template <class Real>
-Vec3Of<Real> normalize(const Vec3Of<Real>& v) {
+[[gnu::always_inline]] inline Vec3Of<Real> normalize(const Vec3Of<Real>& v) {
     const Real squared = dot<Real>(v, v);
     const Mask<Real> usual = squared >= Scalar(1e-30) && squared <= Scalar(1e30);
-    const Vec3Of<Real> unit = v * (1 / sqrt(squared));
-    return all(usual) ? unit : select(usual, unit, each_lane(normalize_extreme, v));
+    if (all(usual)) return v * (1 / sqrt(squared));
+    return select(usual, v * (1 / sqrt(squared)), each_lane(normalize_extreme, v));
 }
 
 // The same for plain numbers: no template, so that GLM's functions of these names are never a better match.

@@ -227,15 +227,22 @@ RELEVO_LANE void prepare_band(const DrawState& draw, const TileMemory& tile, con
     alignas(64) std::uint32_t ids[lanes];
     KeptSetup* to[lanes];
     int waiting = 0;
+    std::uint32_t known = nothing;  // an id that needs no preparation
     for (int row = first_row; row < last_row; ++row) {
         const std::uint32_t* visible = tile.visible + row * tile.stride;
         for (int x = 0; x < box.width; x += lanes, ++groups) {
-            const Ints id = load(visible + x), next = load(visible + x + 1);
+            const Ints id = load(visible + x);
+            if (x + lanes <= box.width && all(id == Ints(static_cast<std::int32_t>(known)))) {
+                *groups = known == nothing ? GroupRuns{0, 0} : GroupRuns{full_group, 1u << (lanes - 1)};
+                continue;
+            }
+            const Ints next = load(visible + x + 1);
             const int count_here = box.width - x < lanes ? box.width - x : lanes;
             const std::uint32_t last = 1u << (count_here - 1);
             groups->covered = ~bits(id == Ints(-1)) & (2 * last - 1);
             groups->ends = (~bits(id == next) | last) & groups->covered;
             if (std::popcount(groups->ends) > most_runs) continue;
+            known = visible[x + count_here - 1];
             for (std::uint32_t rest = groups->ends; rest != 0; rest &= rest - 1) {
                 const std::uint32_t new_id = visible[x + std::countr_zero(rest)];
                 if (stored.find(new_id) != nullptr) continue;
