@@ -147,6 +147,7 @@ RELEVO_LANE Ints max(Ints a, Ints b) { return Ints(hn::Max(a.v, b.v)); }
 RELEVO_LANE Ints select(Bools mask, Ints yes, Ints no) {
     return Ints(hn::IfThenElse(int_mask(mask), yes.v, no.v));
 }
+RELEVO_LANE int largest(Ints a) { return hn::GetLane(hn::MaxOfLanes(TagI(), a.v)); }
 RELEVO_LANE Bools is_negative(Ints a) { return a < Ints(0); }
 RELEVO_LANE Words operator+(Words a, Words b) { return Words(hn::Add(a.v, b.v)); }
 RELEVO_LANE Words operator-(Words a, Words b) { return Words(hn::Sub(a.v, b.v)); }
@@ -224,6 +225,10 @@ RELEVO_LANE Floats to_real(Words a) {
 }
 RELEVO_LANE Ints float_bits(Floats a) { return Ints(hn::BitCast(TagI(), a.v)); }
 RELEVO_LANE Floats bits_float(Ints a) { return Floats(hn::BitCast(TagF(), a.v)); }
+
+// The lanes that are true move to the front, in their order; what follows them may be anything.
+RELEVO_LANE Floats compress(Floats a, Bools mask) { return Floats(hn::Compress(a.v, mask.m)); }
+RELEVO_LANE Ints compress(Ints a, Bools mask) { return Ints(hn::Compress(a.v, int_mask(mask))); }
 
 // ------------------------------------------------------------------------------------------------ memory
 // Of N values in a row; `aligned` ones stand on a multiple of the register's size.

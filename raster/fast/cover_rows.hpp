@@ -1,0 +1,131 @@
+// Coverage and depth of one triangle in one tile: a pixel a lane, row after row.
+//
+// Depth needs the edge values in double, where every one (below 2^49) is exact. Coverage asks for their signs
+// only: in int32 where they fit (max_small_extent), else in double; and not at all where no edge crosses the
+// box.
+#pragma once
+#include "raster/fast/corners.hpp"
+#include "raster/interpolate.hpp"
+
+namespace relevo::raster::fast::HWY_NAMESPACE {
+
+struct TileBox {
+    int x0, y0, width, height;  // pixels of the picture
+};
+
+// How depths compare: forward depths turn their sign, so that greater is nearer.
+struct Nearness {
+    Ints flip;
+    RELEVO_LANE Floats operator()(Floats z) const { return bits_float(float_bits(z) ^ flip); }
+};
+
+// The set-up of N triangles, for the rows of one of them to read.
+struct StoredSetup {
+    alignas(64) double z0[lanes], g1[lanes], g2[lanes], area[lanes];
+    std::int32_t x0[lanes], y0[lanes], x1[lanes], y1[lanes];  // box, within the tile
+    std::int32_t left[lanes], above[lanes];                   // corner 0 to the first centre of the box
+    std::int32_t dx1[lanes], dy1[lanes], dx2[lanes], dy2[lanes];
+    std::int32_t bias0[lanes], bias1[lanes], bias2[lanes];
+};
+
+// How the pixels of a box are found to be covered.
+enum class Cover {
+    Int,     // edge values in int32
+    Double,  // edge values in double
+    All,     // no edge crosses the box
+};
+
+// Rows of one triangle, a pixel a lane. (e1, e2): edge values at the first pixel.
+template <Cover cover>
+RELEVO_LANE void cover_rows(const StoredSetup& s, int k, std::uint32_t id, const Nearness& nearness,
+                            const TileMemory& tile, double first1, double first2) {
+    const Interpolator plane{s.z0[k], s.g1[k], s.g2[k], 0, 0, 0};
+    const double step1 = 256.0 * s.dy2[k], step2 = -256.0 * s.dy1[k];
+    const Doubles across1(lanes * step1), across2(lanes * step2), down1(-256.0 * s.dx2[k]),
+        down2(256.0 * s.dx1[k]);
+    const Doubles lane = to_wide(lane_numbers());
+    Doubles row1 = Doubles(first1) + lane * Doubles(step1), row2 = Doubles(first2) + lane * Doubles(step2);
+
+    // int32: values less their bias, so that covered means none is negative
+    const Ints bias0(s.bias0[k]), bias1(s.bias1[k]), bias2(s.bias2[k]);
+    const Doubles area = s.area[k], wide_bias0 = to_wide(bias0), wide_bias1 = to_wide(bias1),
+                  wide_bias2 = to_wide(bias2);
+    const std::int32_t i_step1 = 256 * s.dy2[k], i_step2 = -256 * s.dy1[k];
+    const Ints i_across1(lanes * i_step1), i_across2(lanes * i_step2), i_down1(-256 * s.dx2[k]),
+        i_down2(256 * s.dx1[k]);
+    Ints i_row0{}, i_row1{}, i_row2{};
+    if constexpr (cover == Cover::Int) {
+        const Ints e1 = Ints(static_cast<std::int32_t>(first1)) + lane_numbers() * Ints(i_step1),
+                   e2 = Ints(static_cast<std::int32_t>(first2)) + lane_numbers() * Ints(i_step2);
+        i_row1 = e1 - bias1, i_row2 = e2 - bias2;
+        i_row0 = Ints(static_cast<std::int32_t>(s.area[k])) - e1 - e2 - bias0;
+    }
+
+    const Ints id_lanes(static_cast<std::int32_t>(id));
+    const int columns = s.x1[k] - s.x0[k] + 1, rows = s.y1[k] - s.y0[k] + 1;
+    const Bools last_columns = first_lanes((columns - 1) % lanes + 1);
+    float* near_row = tile.nearness + s.y0[k] * tile.stride + s.x0[k];
+    std::uint32_t* visible_row = tile.visible + s.y0[k] * tile.stride + s.x0[k];
+    for (int y = 0; y < rows; ++y) {
+        Doubles e1 = row1, e2 = row2;
+        Ints i0 = i_row0, i1 = i_row1, i2 = i_row2;
+        const auto group = [&](int x, Bools in_box) {
+            Bools seen = in_box;
+            if constexpr (cover == Cover::Int) {
+                seen = seen && !is_negative(i0 | i1 | i2);
+                if (!any(seen)) return;
+            }
+            if constexpr (cover == Cover::Double) {
+                seen = seen && !is_negative(upper_words(area - e1 - e2 - wide_bias0) |
+                                            upper_words(e1 - wide_bias1) | upper_words(e2 - wide_bias2));
+                if (!any(seen)) return;
+            }
+            const Floats z = nearness(depth<Floats>(plane, {0.0, e1, e2}));
+            const Floats stored = load(near_row + x);
+            seen = seen && z > stored;
+            if (!any(seen)) return;
+            store(select(seen, z, stored), near_row + x);
+            store(select(seen, id_lanes, load(visible_row + x)), visible_row + x);
+        };
+        int x = 0;
+        for (; x + lanes < columns; x += lanes) {
+            group(x, all_lanes());
+            e1 = e1 + across1, e2 = e2 + across2;
+            if constexpr (cover == Cover::Int)
+                i1 = i1 + i_across1, i2 = i2 + i_across2, i0 = i0 - i_across1 - i_across2;
+        }
+        group(x, last_columns);
+        row1 = row1 + down1, row2 = row2 + down2;
+        if constexpr (cover == Cover::Int)
+            i_row1 = i_row1 + i_down1, i_row2 = i_row2 + i_down2, i_row0 = i_row0 - i_down1 - i_down2;
+        near_row += tile.stride, visible_row += tile.stride;
+    }
+}
+
+// The rows of triangle k, the cheapest way that is exact.
+RELEVO_LANE void cover_triangle(const StoredSetup& s, int k, bool small, std::uint32_t id,
+                                const Nearness& nearness, const TileMemory& tile) {
+    const double px = s.left[k], py = s.above[k];
+    const double e1 = px * s.dy2[k] - py * s.dx2[k], e2 = s.dx1[k] * py - s.dy1[k] * px;
+    if (small) return cover_rows<Cover::Int>(s, k, id, nearness, tile, e1, e2);
+
+    const double width = s.x1[k] - s.x0[k], height = s.y1[k] - s.y0[k];
+    const double step1 = 256.0 * s.dy2[k], step2 = -256.0 * s.dy1[k], down1 = -256.0 * s.dx2[k],
+                 down2 = 256.0 * s.dx1[k];
+    bool touches = true, crosses = false;  // the box
+    const auto edge = [&](double e, double step, double down, double bias) {
+        const double across = step * width, along = down * height;
+        touches = touches && e + (across > 0 ? across : 0) + (along > 0 ? along : 0) >= bias;
+        crosses = crosses || e + (across < 0 ? across : 0) + (along < 0 ? along : 0) < bias;
+    };
+    edge(s.area[k] - e1 - e2, -step1 - step2, -down1 - down2, s.bias0[k]);
+    edge(e1, step1, down1, s.bias1[k]);
+    edge(e2, step2, down2, s.bias2[k]);
+    if (!touches) return;
+    if (crosses)
+        cover_rows<Cover::Double>(s, k, id, nearness, tile, e1, e2);
+    else
+        cover_rows<Cover::All>(s, k, id, nearness, tile, e1, e2);
+}
+
+}  // namespace relevo::raster::fast::HWY_NAMESPACE
