@@ -5,7 +5,7 @@
 
 namespace relevo::pipeline {
 
-Vec3 normalize_extreme(const Vec3& v) {
+Vec3 normalize_extreme(Vec3 v) {
     if (!(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z))) return {0, 0, 0};
     const Scalar largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     if (largest == 0) return {0, 0, 0};
