@@ -59,7 +59,7 @@ struct Settings {
     pipeline::Cull cull = pipeline::Cull::Back;
     Output output = Output::Srgb;
     Path path = Path::Auto;
-    std::optional<fast::InstructionSet> instruction_set;  // of the fast path; none: the widest there is
+    std::optional<fast::InstructionSet> instruction_set = {};  // of the fast path; none: the widest
 };
 
 // The pictures that draw() fills. `linear` is filled only when it has a size: the float picture exists when
