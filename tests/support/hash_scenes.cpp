@@ -2,6 +2,7 @@
 // picture.
 //   hash_scenes FOLDER WIDTHxHEIGHT SCENE...       FOLDER/NAME-SHADING for each scene in every shading;
 //                                                  FOLDER/NAME for each lesson, linear light, in its own size
+// The fast path draws each picture, too, with every instruction set: other bytes are an error.
 // scripts/determinism builds it in many ways and compares the sums of what it wrote.
 #include <cstdio>
 #include <string_view>
@@ -9,6 +10,8 @@
 
 #include "raster/draw.hpp"
 #include "raster/draw_shapes.hpp"
+#include "raster/fast/draw_fast.hpp"
+#include "raster/fast/workers.hpp"
 #include "samples/io/file.hpp"
 #include "samples/scene/scene.hpp"
 
@@ -34,18 +37,30 @@ io::Failure write_lesson(const scene::LoadedScene& lesson, const std::string& fo
     return io::write_file(folder + "/" + lesson.name, std::string(bytes(picture)));
 }
 
+std::string bytes(const raster::Frame& frame) {
+    return std::string(bytes(frame.color)).append(bytes(frame.depth));
+}
+
 io::Failure write_pictures(const std::string& path, std::pair<int, int> size, const std::string& folder) {
     const auto as_it_is = scene::load_scene(path);
     if (as_it_is && is_lesson(*as_it_is)) return write_lesson(*as_it_is, folder);
     auto loaded = scene::load_scene(path, {{}, size});
     if (!loaded) return loaded.error();
     raster::Frame frame = scene::make_frame(*loaded);
+    raster::fast::Workspace workspace;
+    raster::fast::Workers workers(2);
     for (const auto& [name, shading] : shadings) {
         loaded->settings.shading = shading;
         raster::draw(loaded->scene, loaded->settings, frame);
         const std::string out = folder + "/" + loaded->name + "-" + name;
-        const std::string both = std::string(bytes(frame.color)).append(bytes(frame.depth));
-        if (auto failure = io::write_file(out, both)) return failure;
+        const std::string right = bytes(frame);
+        if (auto failure = io::write_file(out, right)) return failure;
+        for (const raster::fast::InstructionSet set : raster::fast::instruction_sets()) {
+            raster::fast::draw(loaded->scene, loaded->settings, frame, workspace, {set, 64, &workers});
+            if (bytes(frame) != right)
+                return io::error_in(path, "the fast path (" + std::string(raster::fast::name(set)) + ", " +
+                                              name + ") draws other bytes than the textbook path");
+        }
     }
     return {};
 }

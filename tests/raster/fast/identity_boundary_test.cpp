@@ -297,6 +297,25 @@ TEST(Boundary, EqualDepthsAcrossChunks) {
     }
 }
 
+// Needles over 64 tiles each: more numbers than the tiles' lists have room for.
+TEST(Boundary, MoreTrianglesThanTheListsHold) {
+    const Size size{256, 256};
+    WindowScene scene(size, View::Parallel);
+    hard::Random& random = scene.random();
+    const auto along = [&] { return static_cast<double>(random.integer(1, 30 * 256)); };
+    for (int i = 0; i < 135000; ++i) {
+        const double end = 255 * pixel;
+        const Scalar depth = Scalar(random.integer(1, 3)) / 4;
+        const double x0 = along(), y0 = along(), x1 = end - along(), y1 = end - along();
+        if (i % 16 == 15)
+            scene.add(flat(scene, 2));
+        else
+            scene.add({Corner{x0, y0, depth}, Corner{x1, y1, depth}, Corner{x1 - 1, y1 + 20, depth}});
+    }
+    const fast::InstructionSet set = fast::instruction_sets().back();
+    EXPECT_TRUE(is_same(scene, {{set, 1, 32}, {set, 7, 32}}, textured_phong()));
+}
+
 TEST(Boundary, EqualDepthsOfPiecesAndTriangles) {
     for (const View view : {View::Parallel, View::Perspective})
         for (const int every : {1, 2, 3, 17}) {
