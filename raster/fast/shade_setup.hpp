@@ -249,9 +249,9 @@ struct KeptSetup {
 
     double e[3], across[3], down[3], rw[3];
     Scalar a0[max_carried], d1[max_carried], d2[max_carried];
-    Scalar face[6];   // amount, gloss
-    Scalar color[3];  // of the programs that carry nothing: every pixel has it
-    std::uint32_t packed, model;
+    Scalar face[6];                          // amount, gloss
+    Scalar color[3];                         // of the programs that carry nothing: every pixel has it
+    std::uint32_t packed, one_color, model;  // one_color: 1 where they count
 };
 
 // Lane k to *to[k], for the lanes of `which`.
@@ -270,6 +270,7 @@ RELEVO_LANE void store_setups(const DrawState& draw, std::uint32_t model_number,
             const int k = std::countr_zero(rest);
             for (int j = 0; j < 3; ++j) to[k]->color[j] = rgb[j][k];
             to[k]->packed = packed[k];
+            to[k]->one_color = 1;
             to[k]->model = model_number;
         }
     } else {
@@ -312,6 +313,7 @@ RELEVO_LANE void store_setups(const DrawState& draw, std::uint32_t model_number,
                 t.a0[j] = carried[0][j][k], t.d1[j] = carried[1][j][k], t.d2[j] = carried[2][j][k];
             if constexpr (Program::needs_face)
                 for (int j = 0; j < 6; ++j) t.face[j] = face[j][k];
+            t.one_color = 0;
             t.model = model_number;
         }
     }

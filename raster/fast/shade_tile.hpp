@@ -5,9 +5,8 @@
 // A group is one of four kinds, by the runs of equal ids in it:
 //   none      background
 //   uniform   one triangle: its stored set-up serves all lanes
-//   few       up to `most_runs` runs: each triangle's edge values and carried numbers go to its own lanes,
-//   then
-//             weights, light, texture and output run once for the whole group
+//   few       up to `runs_limit` runs: each triangle's edge values and carried numbers go to its own
+//             lanes, then weights, light, texture and output run once for the whole group
 //   many      (small triangles) every lane sets up its own triangle
 // Set-ups are stored for a band of rows at a time, N triangles together; what finds no room is drawn as many.
 #pragma once
@@ -18,7 +17,14 @@
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
 inline constexpr std::uint32_t full_group = (2u << (lanes - 1)) - 1;
-inline constexpr int most_runs = 5, band_rows = 8, max_tile_groups = 128 / lanes;
+inline constexpr int most_runs = 8, band_rows = 8, max_tile_groups = 128 / lanes;
+
+// Up to so many runs a group counts as few; where triangles have one colour, few costs next to nothing.
+template <template <bool> class Program>
+inline constexpr int runs_limit = Program<false>::size == 0 ? most_runs : 5;
+
+// Beyond so many runs a look-up for all lanes at once is faster than one for each run.
+inline constexpr int looked_up_runs = 3;
 
 // The set-ups that are kept, of one tile.
 //
@@ -26,7 +32,7 @@ inline constexpr int most_runs = 5, band_rows = 8, max_tile_groups = 128 / lanes
 struct KeptSetups {
     static constexpr std::uint32_t capacity = 256, slot_bits = 10;
     std::uint32_t ids[capacity];
-    std::uint16_t slots[1 << slot_bits] = {};
+    std::uint32_t slots[1 << slot_bits] = {};
     std::uint32_t next = 0;
     KeptSetup setups[capacity];
 
@@ -36,6 +42,16 @@ struct KeptSetups {
     RELEVO_LANE static std::uint32_t slot(std::uint32_t id) {
         return (id ^ id >> slot_bits) & ((1u << slot_bits) - 1);
     }
+    // The same of each lane: the number, and whether it is the right one.
+    struct Found {
+        Ints number;
+        Bools there;
+    };
+    RELEVO_LANE Found find(Ints id) const {
+        const Ints shifted = to_whole(to_word(id) >> slot_bits);
+        const Ints number = gather(slots, (id ^ shifted) & Ints((1 << slot_bits) - 1));
+        return {number, gather(ids, number) == id};
+    }
     // Null if it is not there.
     RELEVO_LANE const KeptSetup* find(std::uint32_t id) const {
         const std::uint32_t n = slots[slot(id)];
@@ -44,7 +60,7 @@ struct KeptSetups {
     RELEVO_LANE KeptSetup* add(std::uint32_t id) {
         const std::uint32_t n = next;
         next = (next + 1) % capacity;
-        slots[slot(id)] = static_cast<std::uint16_t>(n);
+        slots[slot(id)] = n;
         ids[n] = id;
         return &setups[n];
     }
@@ -241,9 +257,11 @@ RELEVO_LANE void prepare_band(const DrawState& draw, const TileMemory& tile, con
             const std::uint32_t last = 1u << (count_here - 1);
             groups->covered = ~bits(id == Ints(-1)) & (2 * last - 1);
             groups->ends = (~bits(id == next) | last) & groups->covered;
-            if (std::popcount(groups->ends) > most_runs) continue;
+            if (std::popcount(groups->ends) > runs_limit<Program>) continue;
             known = visible[x + count_here - 1];
-            for (std::uint32_t rest = groups->ends; rest != 0; rest &= rest - 1) {
+            std::uint32_t rest = groups->ends;
+            if (std::popcount(rest) > looked_up_runs) rest &= ~bits(stored.find(id).there);
+            for (; rest != 0; rest &= rest - 1) {
                 const std::uint32_t new_id = visible[x + std::countr_zero(rest)];
                 if (stored.find(new_id) != nullptr) continue;
                 ids[waiting] = new_id;
@@ -371,6 +389,22 @@ RELEVO_LANE void shade_few(const TileAt& at, WaitingGroups& waiting, const Few& 
     });
 }
 
+// Where triangles have one colour each: a look-up for every lane. False when a set-up is missing, when a
+// model has a texture, or when linear colour is asked for, too.
+RELEVO_LANE bool shade_colors(const TileAt& at, const KeptSetups& kept, std::uint32_t covered, int row,
+                              int column) {
+    if (at.draw.linear != nullptr) return false;
+    const Ints id = load(at.tile.visible + row * at.tile.stride + column);
+    const KeptSetups::Found found = kept.find(id);
+    if ((covered & ~bits(found.there)) != 0) return false;
+    constexpr int words = sizeof(KeptSetup) / 4;
+    const Ints place = found.number * Ints(words);
+    const Ints one_color = gather(&kept.setups[0].one_color, place);
+    if ((covered & bits(one_color == Ints(0))) != 0) return false;
+    at.write(to_word(gather(&kept.setups[0].packed, place)), {}, covered, row, column);
+    return true;
+}
+
 // False when a set-up is missing or the triangles are of several models.
 RELEVO_LANE bool find_few(const KeptSetups& stored, const std::uint32_t* visible, Ints ids,
                           std::uint32_t ends, Few& few) {
@@ -416,7 +450,10 @@ template <template <bool> class Program>
                 if (std::has_single_bit(group->ends) &&
                     (one = kept.find(visible[column + std::countr_zero(group->ends)])) != nullptr)
                     shade_uniform<Program>(at, waiting, *one, group->covered, row, column);
-                else if (std::popcount(group->ends) <= most_runs &&
+                else if (Program<false>::size == 0 && std::popcount(group->ends) > looked_up_runs &&
+                         shade_colors(at, kept, group->covered, row, column))
+                    continue;
+                else if (std::popcount(group->ends) <= runs_limit<Program> &&
                          find_few(kept, visible + column, load(visible + column), group->ends, few))
                     shade_few<Program>(at, waiting, few, group->covered, row, column);
                 else
