@@ -19,7 +19,8 @@ struct Block {
     std::uint32_t next;
 };
 struct TileList {
-    std::uint32_t first = Block::none, last = Block::none, count = 0;
+    std::uint32_t first = Block::none, last = Block::none;
+    std::uint32_t count = 0, in_last = Block::capacity;  // ids in all, in the last block
 };
 
 struct Chunk {
@@ -42,14 +43,13 @@ void clip_into_bins(const DrawState& draw, Chunk& chunk, const ModelState& model
 
 [[gnu::always_inline]] inline void append(Chunk& chunk, int tile, std::uint32_t id) {
     TileList& list = chunk.lists[tile];
-    const std::uint32_t place = list.count % Block::capacity;
-    if (place == 0) {
+    if (list.in_last == Block::capacity) {
         if (chunk.block_count == chunk.block_capacity && !grow_blocks(chunk)) return append_wide(chunk, id);
         const std::uint32_t block = chunk.block_count++;
         (list.count == 0 ? list.first : chunk.blocks[list.last].next) = block;
-        list.last = block;
+        list.last = block, list.in_last = 0;
     }
-    chunk.blocks[list.last].ids[place] = id;
+    chunk.blocks[list.last].ids[list.in_last++] = id;
     ++list.count;
 }
 

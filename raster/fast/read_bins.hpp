@@ -1,5 +1,7 @@
 // What a tile draws: the ids of its lists in drawing order, and the corners of these triangles side by side.
 #pragma once
+#include <algorithm>
+
 #include "raster/fast/bins.hpp"
 #include "raster/fast/corners.hpp"
 
@@ -21,17 +23,17 @@ class TileReader {
                 open();
                 continue;
             }
-            const bool take_wide =
-                wide_ < chunk_->wide_count &&
-                (listed_ == 0 || is_before(draw_, chunk_->wide[wide_], block_->ids[place_]));
-            if (take_wide) {
+            if (wide_ < chunk_->wide_count &&
+                (listed_ == 0 || is_before(draw_, chunk_->wide[wide_], block_->ids[place_]))) {
                 ids[n++] = chunk_->wide[wide_++];
                 continue;
             }
-            ids[n++] = block_->ids[place_];
-            --listed_;
-            if (++place_ == Block::capacity && listed_ > 0)
-                block_ = &chunk_->blocks[block_->next], place_ = 0;
+            const std::uint32_t in_block = std::min(Block::capacity - place_, listed_);
+            const std::uint32_t taken =
+                wide_ < chunk_->wide_count ? 1 : std::min(in_block, static_cast<std::uint32_t>(room - n));
+            for (std::uint32_t k = 0; k < taken; ++k) ids[n++] = block_->ids[place_++];
+            listed_ -= taken;
+            if (place_ == Block::capacity && listed_ > 0) block_ = &chunk_->blocks[block_->next], place_ = 0;
         }
         return n;
     }

@@ -11,18 +11,21 @@ namespace relevo::raster::fast::HWY_NAMESPACE {
 // its end, the picture's row may not be written past it.
 template <class Value>
 RELEVO_LANE void write_row(std::uint32_t* to, int count, Value&& value) {
-    constexpr std::uintptr_t line = lanes * sizeof(float);
+    constexpr std::uintptr_t line =
+        64;  // a cache line: streaming a part of one is far slower than storing it
     const int before = static_cast<int>((line - reinterpret_cast<std::uintptr_t>(to) % line) % line / 4);
-    const int head = before < count ? before : count;
-    const auto part = [&](int k, int n) {  // n < N numbers
+    const auto part = [&](int k, int n) {  // n <= N numbers
         alignas(64) std::uint32_t some[lanes];
         store(value(k), some);
         for (int i = 0; i < n; ++i) to[k + i] = some[i];
     };
-    if (head > 0) part(0, head);
+    const int head = before < count ? before : count;
+    for (int k = 0; k < head; k += lanes) part(k, head - k < lanes ? head - k : lanes);
     int k = head;
-    for (; k + lanes <= count; k += lanes) stream(value(k), to + k);
-    if (k < count) part(k, count - k);
+    constexpr int in_line = line / 4;
+    for (; k + in_line <= count; k += in_line)
+        for (int i = 0; i < in_line; i += lanes) stream(value(k + i), to + k + i);
+    for (; k < count; k += lanes) part(k, count - k < lanes ? count - k : lanes);
 }
 
 RELEVO_LANE void write_tile(const DrawState& draw, const TileMemory& tile, const TileBox& box) {
