@@ -50,9 +50,10 @@ RELEVO_LANE void cover_rows(const StoredSetup& s, int k, std::uint32_t id, const
     const Ints bias0(s.bias0[k]), bias1(s.bias1[k]), bias2(s.bias2[k]);
     const Doubles area = s.area[k], wide_bias0 = to_wide(bias0), wide_bias1 = to_wide(bias1),
                   wide_bias2 = to_wide(bias2);
-    const std::int32_t i_step1 = 256 * s.dy2[k], i_step2 = -256 * s.dy1[k];
-    const Ints i_across1(lanes * i_step1), i_across2(lanes * i_step2), i_down1(-256 * s.dx2[k]),
-        i_down2(256 * s.dx1[k]);
+    const auto as_int = [](std::int32_t d) { return cover == Cover::Int ? 256 * d : 0; };
+    const std::int32_t i_step1 = as_int(s.dy2[k]), i_step2 = -as_int(s.dy1[k]);
+    const Ints i_across1(lanes * i_step1), i_across2(lanes * i_step2), i_down1(-as_int(s.dx2[k])),
+        i_down2(as_int(s.dx1[k]));
     Ints i_row0{}, i_row1{}, i_row2{};
     if constexpr (cover == Cover::Int) {
         const Ints e1 = Ints(static_cast<std::int32_t>(first1)) + lane_numbers() * Ints(i_step1),
