@@ -15,7 +15,7 @@ using raster::Image;
 std::string text(const Way& way) {
     std::ostringstream out;
     out << fast::name(way.set) << ", " << way.threads << " threads, tile " << way.tile
-        << (way.watched ? "" : ", colour and depth only");
+        << (way.linear ? ", linear" : "") << (way.visible ? ", visible" : "");
     return out.str();
 }
 
@@ -23,14 +23,15 @@ std::vector<Way> all_ways() {
     std::vector<Way> ways;
     for (const fast::InstructionSet set : fast::instruction_sets())
         for (const int threads : thread_counts)
-            for (const int tile : tile_sizes) ways.push_back({set, threads, tile, true});
+            for (const int tile : tile_sizes) ways.push_back({set, threads, tile});
     return ways;
 }
 
 std::vector<Way> few_ways(std::size_t number) {
     std::vector<Way> ways;
     for (const fast::InstructionSet set : fast::instruction_sets()) {
-        ways.push_back({set, thread_counts[number % 3], tile_sizes[number / 3 % 3], number / 9 % 2 == 0});
+        ways.push_back({set, thread_counts[number % 3], tile_sizes[number / 3 % 3], number / 9 % 2 == 0,
+                        number / 18 % 2 == 0});
         number += 4;  // the next one other threads and another tile
     }
     return ways;
@@ -80,11 +81,11 @@ Answer textbook(const raster::Scene& scene, const raster::Settings& settings, Si
 
 Answer fast_path(const raster::Scene& scene, const raster::Settings& settings, Size size, const Way& way,
                  fast::Workspace& workspace) {
-    Answer answer{spoiled_frame(size, way.watched), {}, {}};
-    if (way.watched) answer.visible = Image<std::uint32_t>(size.width, size.height, 0xa5a5a5a5u);
+    Answer answer{spoiled_frame(size, way.linear), {}, {}};
+    if (way.visible) answer.visible = Image<std::uint32_t>(size.width, size.height, 0xa5a5a5a5u);
     answer.counts =
         fast::draw(scene, settings, answer.frame, workspace,
-                   {way.set, way.tile, workers(way.threads), way.watched ? &answer.visible : nullptr});
+                   {way.set, way.tile, workers(way.threads), way.visible ? &answer.visible : nullptr});
     return answer;
 }
 

@@ -15,18 +15,18 @@ namespace relevo::tests::identity {
 
 namespace fast = raster::fast;
 
-// How the fast path is asked. With `watched`, linear colour and visible primitives are wanted, too.
+// How the fast path is asked, and whether linear colour and the visible primitives are wanted, too.
 struct Way {
     fast::InstructionSet set;
     int threads, tile;
-    bool watched = true;
+    bool linear = true, visible = true;
 };
 std::string text(const Way& way);  // "AVX2, 7 threads, tile 32"
 
 inline constexpr int thread_counts[] = {1, 2, 7}, tile_sizes[] = {32, 64, 128};
 // Each instruction set of this machine, thread count and tile size; none where there is no fast path.
 std::vector<Way> all_ways();
-// Each instruction set once; threads, tile and `watched` turn with the number: 18 numbers make all of them.
+// Each instruction set once; threads, tile and what is wanted turn with the number: 36 numbers make all.
 std::vector<Way> few_ways(std::size_t number);
 
 struct Size {

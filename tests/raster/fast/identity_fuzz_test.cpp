@@ -76,6 +76,12 @@ void fuzz(std::uint64_t seed) {
             scene.camera.clip_from_eye.m = glm::dmat4(1);
             scene.camera.clip_from_eye.m[3][2] = random.unit();
     }
+    for (std::int64_t more = random.integer(-9, 9); more > 0; --more)
+        scene.lights.push_back(
+            {random.coin() ? pipeline::Light::Kind::Point : pipeline::Light::Kind::Directional,
+             {{position(9), position(9), 1}},
+             {{carried(), carried(), -1}},
+             {carried(), carried(), 1}});
     if (random.integer(0, 3) == 0)
         for (pipeline::Light& light : scene.lights)
             light.position.v = {carried(9), carried(9), carried(9)}, light.color.g = carried(1);

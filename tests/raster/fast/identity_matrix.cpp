@@ -106,7 +106,7 @@ bool limits() {
         const raster::Scene scene = dressed(subject, f, size);
         for (const Way& way : few_ways(1)) {
             fast::Workspace workspace;
-            const Way with_tile{way.set, way.threads, tile, false};
+            const Way with_tile{way.set, way.threads, tile, false, false};
             const fast::Counts counts = fast_path(scene, settings(f), size, with_tile, workspace).counts;
             const double bound = double(counts.vertices) * 48 + double(counts.triangles) * 8 + 0x1p26;
             std::printf("%s, %s: %.1f MiB of %.1f allowed\n", subject.name.c_str(), text(with_tile).c_str(),

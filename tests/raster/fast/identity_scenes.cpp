@@ -107,11 +107,11 @@ void Subject::add(Mesh mesh, const Affine<World, Object>& place) {
 
 namespace {
 
-// Sizes with and without a power of two, one texel, one row.
+// Sizes with and without a power of two, one texel, one row or column, the longest.
 const raster::Texture& texture(std::size_t number) {
     static const auto textures = [] {
-        std::array<raster::Texture, 4> out;
-        constexpr Size sizes[] = {{16, 8}, {7, 5}, {1, 1}, {300, 1}};
+        std::array<raster::Texture, 6> out;
+        constexpr Size sizes[] = {{16, 8}, {7, 5}, {1, 1}, {300, 1}, {1, 16384}, {123, 77}};
         hard::Random random(4);
         for (std::size_t i = 0; i < out.size(); ++i) {
             std::vector<std::uint8_t> rgb(std::size_t(sizes[i].width * sizes[i].height * 3));
@@ -141,7 +141,9 @@ raster::Scene dressed(const Subject& subject, const Features& f, Size size) {
     for (std::size_t i = 0; i < scene.models.size(); ++i) {
         raster::Model& model = scene.models[i];
         if (f.mirrored) model.world_from_object.m = model.world_from_object.m * scaling_matrix({-1, 1, 1});
-        model.texture = f.texturing == Texturing::None ? nullptr : &texture(i);
+        model.texture = f.texturing == Texturing::None
+                            ? nullptr
+                            : &texture(i + std::size_t(f.lights) + 2 * std::size_t(f.cull));
         model.two_sided = f.two_sided;
         model.material.shininess = shininess[(i + std::size_t(f.lights)) % std::size(shininess)];
         model.material.color = {Scalar(0.3) + Scalar(0.1) * Scalar(i % 7), Scalar(0.6), Scalar(0.9)};
