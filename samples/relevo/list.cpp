@@ -211,6 +211,8 @@ void list_knobs() {
     print_knob("texture_filter", scene::texture_filters, standard.texture_filter);
     print_knob("depth", scene::depth_formats, standard.depth);
     print_knob("cull", scene::culls, standard.cull);
+    print_knob("path", scene::paths, standard.path);
+    print_knob("instruction_set", scene::instruction_sets, standard.instruction_set);
     say("\nKeys of [pipeline] in a lesson, for all shapes that say nothing themselves:\n\n");
     print_knob("fill_rule", scene::fill_rules, raster::FillRule::TopLeft);
     say("algorithm\n");

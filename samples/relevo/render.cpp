@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
+#include <thread>
 
 #include "raster/draw.hpp"
 #include "raster/draw_shapes.hpp"
+#include "raster/path.hpp"
 #include "samples/io/picture.hpp"
 #include "samples/io/png.hpp"
 #include "samples/io/suggest.hpp"
+#include "samples/io/words.hpp"
 #include "samples/relevo/commands.hpp"
 #include "samples/scene/scene.hpp"
 #include "samples/scene/shapes2d.hpp"
@@ -19,7 +23,7 @@ namespace relevo::command {
 namespace {
 
 struct RenderOptions {
-    std::string scene, output, size, raw_depth, statistics;
+    std::string scene, output, size, raw_depth, statistics, threads;
     std::vector<std::string> set;
 };
 
@@ -29,24 +33,66 @@ double milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+constexpr int max_threads = 256;
+
+int all_cores() { return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, max_threads); }
+
+// The argument of --threads; nothing: all cores.
+io::FileResult<int> parse_threads(const std::string& text) {
+    if (text.empty()) return all_cores();
+    const auto threads = io::parse_integer(text);
+    if (threads && 1 <= *threads && *threads <= max_threads) return static_cast<int>(*threads);
+    return io::FileError{
+        {"--threads " + text, 0, 0},
+        fmt::format("accepted: a whole number from 1 to {} (default: the number of cores, here {})",
+                    max_threads, all_cores())};
+}
+
+// ", "path": {...}": the way that a picture of objects took; a lesson has none.
+std::string to_json(const raster::Rendering& rendering) {
+    const raster::PathPlan& plan = rendering.plan;
+    const std::string fast =
+        plan.fast
+            ? fmt::format(", \"instruction_set\": \"{}\", \"threads\": {}, \"tile\": {}, \"shaded\": {}",
+                          name(plan.instruction_set), plan.threads, plan.tile, rendering.counts.shaded_pixels)
+            : "";
+    return fmt::format(", \"path\": {{\"name\": \"{}\", \"reason\": \"{}\"{}}}",
+                       plan.fast ? "fast" : "textbook", plan.reason, fast);
+}
+
+void print_path(const raster::Rendering& rendering) {
+    if (rendering.plan.fast)
+        say("{:>12}  pixels shaded by the fast path, each of them once\n", rendering.counts.shaded_pixels);
+    say("{:>12}  {}\n", "path", rendering.plan.reason);
+}
+
 template <class Statistics>
-void print_statistics(const RenderOptions& options, const Statistics& statistics, double load, double draw) {
+void print_statistics(const RenderOptions& options, const Statistics& statistics,
+                      const std::optional<raster::Rendering>& rendering, double load, double draw) {
     const std::vector<scene::NamedCount> counts = named_counts(statistics);
     if (options.statistics == "json") {
-        say("{{\"counts\": {}, \"milliseconds\": {{\"load\": {:.3f}, \"draw\": {:.3f}}}}}\n",
-            scene::to_json(counts), load, draw);
+        say("{{\"counts\": {}{}, \"milliseconds\": {{\"load\": {:.3f}, \"draw\": {:.3f}}}}}\n",
+            scene::to_json(counts), rendering ? to_json(*rendering) : "", load, draw);
         return;
     }
     for (const scene::NamedCount& c : counts) say("{:>12}  {}\n", c.count, c.words);
+    if (rendering) print_path(*rendering);
     say("{:>12.3f}  milliseconds to load the scene\n{:>12.3f}  milliseconds to draw it\n", load, draw);
 }
 
 int render_objects(const RenderOptions& options, const scene::LoadedScene& loaded, const std::string& output,
-                   double load) {
+                   int threads, double load) {
     raster::Frame frame = scene::make_frame(loaded);
+    std::optional<raster::fast::Workers> workers;
+    if (plan_path(loaded.scene, loaded.settings).fast) workers.emplace(threads);
+    raster::fast::Workspace workspace;
     const Clock::time_point start = Clock::now();
-    raster::draw(loaded.scene, loaded.settings, frame);
+    const raster::Rendering rendering =
+        raster::render(loaded.scene, loaded.settings, frame, workspace, workers ? &*workers : nullptr);
     const double draw = milliseconds_since(start);
+    if (loaded.settings.path == raster::Path::Fast && !rendering.plan.fast)
+        std::fprintf(stderr, "warning: %s: pipeline.path is \"fast\", which is impossible here (%s)\n",
+                     loaded.path.c_str(), rendering.plan.reason.c_str());
     if (const io::Failure failure = io::write_png(output, frame.color)) return refuse(*failure);
     if (!options.raw_depth.empty())
         if (const io::Failure failure = io::write_exr(options.raw_depth, frame.depth))
@@ -54,7 +100,7 @@ int render_objects(const RenderOptions& options, const scene::LoadedScene& loade
     if (!options.statistics.empty()) {  // drawn once more: the probe costs time, but moves no pixel
         scene::Statistics statistics = scene::statistics_of(loaded.scene);
         raster::draw(loaded.scene, loaded.settings, frame, statistics);
-        print_statistics(options, statistics, load, draw);
+        print_statistics(options, statistics, rendering, load, draw);
     }
     return done;
 }
@@ -80,7 +126,7 @@ int render_lesson(const RenderOptions& options, const scene::LoadedScene& loaded
     if (!options.statistics.empty()) {
         scene::ShapeStatistics statistics(loaded.width, loaded.height);
         raster::draw_shapes(loaded.shapes, picture, statistics);
-        print_statistics(options, statistics, load, draw);
+        print_statistics(options, statistics, std::nullopt, load, draw);
     }
     return done;
 }
@@ -91,6 +137,8 @@ int render(const RenderOptions& options) {
         return refuse(io::FileError{{"--stats=" + options.statistics, 0, 0},
                                     "accepted: json, text" + io::suggestion(options.statistics, accepted)});
     }
+    const auto threads = parse_threads(options.threads);
+    if (!threads) return refuse(threads.error());
     scene::SceneOptions scene_options{options.set, std::nullopt};
     if (!options.size.empty()) {
         const auto size = scene::parse_size(options.size);
@@ -105,7 +153,7 @@ int render(const RenderOptions& options) {
     const double load = milliseconds_since(start);
     const std::string output = options.output.empty() ? loaded->name + ".png" : options.output;
     return is_lesson(*loaded) ? render_lesson(options, *loaded, output, load)
-                              : render_objects(options, *loaded, output, load);
+                              : render_objects(options, *loaded, output, *threads, load);
 }
 
 }  // namespace
@@ -125,6 +173,10 @@ void add_render(CLI::App& app, int& status) {
         ->type_name("KEY=VALUE");
     command->add_option("--raw-depth", options->raw_depth, "Also write the depth buffer, 32-bit float.")
         ->type_name("FILE.exr");
+    command
+        ->add_option("--threads", options->threads,
+                     "Threads of the fast path, 1 to 256; default: as many as there are cores.")
+        ->type_name("N");
     command->add_flag("--stats{text}", options->statistics,
                       "Print what happened, and milliseconds; --stats=json as JSON.");
     command->footer(

@@ -3,6 +3,7 @@
 #pragma once
 #include <string_view>
 
+#include "raster/fast/draw_fast.hpp"
 #include "raster/scene.hpp"
 #include "raster/shape.hpp"
 #include "samples/scene/scene.hpp"
@@ -40,6 +41,20 @@ inline constexpr Choice<pipeline::Cull> culls[] = {
     {"back", pipeline::Cull::Back, "faces that turn their back are not drawn"},
     {"front", pipeline::Cull::Front, "only backs are drawn: a look inside"},
     {"none", pipeline::Cull::None, "every face is drawn"},
+};
+
+inline constexpr Choice<raster::Path> paths[] = {
+    {"auto", raster::Path::Auto, "fast where that is possible, else the textbook's: the same bytes"},
+    {"fast", raster::Path::Fast,
+     "many pixels and several threads at a time; with a warning the textbook's where it is impossible"},
+    {"textbook", raster::Path::Textbook, "one pixel after the other, as the lecture has it"},
+};
+
+inline constexpr Choice<std::optional<raster::fast::InstructionSet>> instruction_sets[] = {
+    {"auto", std::nullopt, "of the fast path: the widest that the processor has"},
+    {"sse4", raster::fast::InstructionSet::Sse4, "4 numbers at a time"},
+    {"avx2", raster::fast::InstructionSet::Avx2, "8 numbers at a time"},
+    {"avx512", raster::fast::InstructionSet::Avx512, "16 numbers at a time"},
 };
 
 inline constexpr Choice<raster::Output> outputs[] = {

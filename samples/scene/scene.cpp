@@ -24,7 +24,8 @@ constexpr std::string_view tables[] = {"image", "camera", "light",   "object",
                                        "axes",  "clip",   "shape2d", "pipeline"};
 constexpr std::string_view image_keys[] = {"width", "height", "background", "output"};
 constexpr std::string_view light_keys[] = {"type", "position", "direction", "color"};
-constexpr std::string_view pipeline_keys[] = {"shading", "texture_filter", "depth", "cull"};
+constexpr std::string_view pipeline_keys[] = {"shading", "texture_filter", "depth",
+                                              "cull",    "path",           "instruction_set"};
 
 // The tables of the document: empty where the file has none.
 struct Tables {
@@ -110,6 +111,19 @@ void apply_options(const std::vector<std::string>& options, std::span<const std:
     }
 }
 
+void read_instruction_set(const Fields& fields, raster::Settings& settings) {
+    settings.instruction_set = fields.choice("instruction_set", settings.instruction_set, instruction_sets);
+    const auto there = raster::fast::instruction_sets();
+    std::vector<std::string_view> names;
+    for (const auto& choice : instruction_sets) {
+        const bool found =
+            !choice.meaning || std::find(there.begin(), there.end(), *choice.meaning) != there.end();
+        if (found && choice.meaning == settings.instruction_set) return;
+        if (found) names.push_back(choice.name);
+    }
+    fields.refuse("instruction_set", joined(names) + " (what this processor and this build have)");
+}
+
 raster::Settings read_pipeline(const Value& table, Diagnosis& diagnosis) {
     const Fields fields(table, "pipeline", pipeline_keys, diagnosis);
     raster::Settings settings;
@@ -117,6 +131,8 @@ raster::Settings read_pipeline(const Value& table, Diagnosis& diagnosis) {
     settings.texture_filter = fields.choice("texture_filter", settings.texture_filter, texture_filters);
     settings.depth = fields.choice("depth", settings.depth, depth_formats);
     settings.cull = fields.choice("cull", settings.cull, culls);
+    settings.path = fields.choice("path", settings.path, paths);
+    read_instruction_set(fields, settings);
     return settings;
 }
 

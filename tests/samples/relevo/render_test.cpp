@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "raster/fast/draw_fast.hpp"
 #include "samples/io/picture.hpp"
 #include "tests/samples/relevo/program.hpp"
 
@@ -87,6 +88,75 @@ TEST(Render, StatisticsAsTextAndAsJson) {
                    "--stats=jsn: accepted: json, text, did you mean 'json'?");
 }
 
+TEST(Render, RefusesBadNumbersOfThreads) {
+    const TemporaryFolder folder;
+    folder.write("s.toml", small);
+    for (const std::string threads : {"0", "257", "-1", "two", "2.5", "1e9", "99999999999999999999"})
+        EXPECT_EQ(run(folder, "render s.toml --threads=" + threads).err.substr(0, 40 + threads.size()),
+                  "--threads " + threads + ": accepted: a whole number from");
+    const Outcome outcome = run(folder, "render s.toml --threads 0");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.err.substr(0, outcome.err.find("here ") + 5),
+              "--threads 0: accepted: a whole number from 1 to 256 (default: the number of cores, here ");
+    EXPECT_EQ(folder.names(), (Names{"s.toml"}));
+}
+
+const bool fast_is_possible = !raster::fast::instruction_sets().empty();
+
+// Both paths, any number of threads: the same file.
+TEST(Render, EveryPathDrawsTheSamePicture) {
+    const TemporaryFolder folder;
+    folder.write("s.toml", small);
+    std::vector<std::string> ways{"--set path=textbook", "--set path=auto"};
+    if (fast_is_possible)
+        ways.insert(ways.end(), {"--set path=fast --threads 1", "--set path=fast --threads 2",
+                                 "--threads 256", "--set path=fast --set instruction_set=sse4"});
+    for (const std::string& way : ways) {
+        const Outcome outcome = run(folder, "render s.toml -o way.png " + way);
+        EXPECT_EQ(outcome.status, 0) << way;
+        EXPECT_EQ(outcome.out + outcome.err, "") << way;
+        run(folder, "render s.toml");
+        EXPECT_EQ(io::bytes_of(folder.path("way.png")), io::bytes_of(folder.path("s.png"))) << way;
+    }
+}
+
+TEST(Render, StatisticsSayWhichPathAndWhy) {
+    const TemporaryFolder folder;
+    folder.write("s.toml", small);
+    const auto text = [&](const std::string& way) { return run(folder, "render s.toml --stats " + way).out; };
+    const auto json = [&](const std::string& way) {
+        const std::string out = run(folder, "render s.toml --stats=json " + way).out;
+        const std::size_t begin = out.find("\"path\": ");
+        return out.substr(begin, out.find('}', begin) + 1 - begin);
+    };
+    EXPECT_NE(text("--set path=textbook").find("\n        path  textbook: asked for\n"), std::string::npos);
+    EXPECT_EQ(json("--set path=textbook"),
+              "\"path\": {\"name\": \"textbook\", \"reason\": \"textbook: asked for\"}");
+    if (!fast_is_possible) {
+        const Outcome outcome = run(folder, "render s.toml --set path=fast");
+        EXPECT_EQ(outcome.status, 0);
+        EXPECT_EQ(outcome.err.substr(0, 78),
+                  "warning: s.toml: pipeline.path is \"fast\", which is impossible here (textbook: ");
+        return;
+    }
+    const std::string by_sse4 = text("--threads 3 --set instruction_set=sse4");
+    EXPECT_NE(by_sse4.find("\n        path  fast: SSE4, 3 threads, tiles of 64 pixels\n"), std::string::npos)
+        << by_sse4;
+    EXPECT_NE(text("--threads 1 --set instruction_set=sse4").find(" fast: SSE4, 1 thread, tiles"),
+              std::string::npos);
+    // The cube is convex: what the textbook path shades is what is seen.
+    const std::string counts = run(folder, "render s.toml --stats=json").out;
+    const std::size_t begin = counts.find("\"shaded\": ") + 10;
+    const std::string shaded = counts.substr(begin, counts.find('}', begin) - begin);
+    EXPECT_EQ(json("--threads 3 --set instruction_set=sse4 --set path=fast"),
+              "\"path\": {\"name\": \"fast\", \"reason\": \"fast: SSE4, 3 threads, tiles of 64 pixels\", "
+              "\"instruction_set\": \"SSE4\", \"threads\": 3, \"tile\": 64, \"shaded\": " +
+                  shaded + "}");
+    EXPECT_NE(by_sse4.find(shaded + "  pixels shaded by the fast path, each of them once\n"),
+              std::string::npos)
+        << by_sse4;
+}
+
 TEST(Render, RefusesBadSizes) {
     const TemporaryFolder folder;
     folder.write("s.toml", small);
@@ -105,8 +175,8 @@ TEST(Render, RefusesBadSettings) {
         "mean 'phong'?");
     expect_refused(
         folder, "relevo render s.toml --set cul=none",
-        "--set cul=none: unknown key pipeline.cul, accepted: shading, texture_filter, depth, cull, did you "
-        "mean 'cull'?");
+        "--set cul=none: unknown key pipeline.cul, accepted: shading, texture_filter, depth, cull, path, "
+        "instruction_set, did you mean 'cull'?");
 }
 
 TEST(Render, RefusesBadScenes) {

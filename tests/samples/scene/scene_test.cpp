@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "samples/scene/choices.hpp"
 #include "tests/samples/io/temporary_folder.hpp"
 
 namespace relevo::scene {
@@ -40,6 +42,8 @@ TEST(Scene, OneObjectIsEnough) {
     EXPECT_EQ(s.settings.texture_filter, raster::Filter::Bilinear);
     EXPECT_EQ(s.settings.depth, raster::DepthFormat::Float32Reversed);
     EXPECT_EQ(s.settings.cull, pipeline::Cull::Back);
+    EXPECT_EQ(s.settings.path, raster::Path::Auto);
+    EXPECT_EQ(s.settings.instruction_set, std::nullopt);
     ASSERT_EQ(s.scene.models.size(), 1u);
     EXPECT_EQ(s.scene.models[0].mesh->triangles(), 12u);
     EXPECT_EQ(s.scene.models[0].texture, nullptr);
@@ -59,6 +63,8 @@ shading = "gouraud"
 texture_filter = "nearest"
 depth = "float32-forward"
 cull = "none"
+path = "textbook"
+instruction_set = "auto"
 )" + cube);
     EXPECT_EQ(s.width, 8192);
     EXPECT_EQ(s.height, 1);
@@ -68,6 +74,36 @@ cull = "none"
     EXPECT_EQ(s.settings.texture_filter, raster::Filter::Nearest);
     EXPECT_EQ(s.settings.depth, raster::DepthFormat::Float32Forward);
     EXPECT_EQ(s.settings.cull, pipeline::Cull::None);
+    EXPECT_EQ(s.settings.path, raster::Path::Textbook);
+    EXPECT_EQ(s.settings.instruction_set, std::nullopt);
+}
+
+TEST(Scene, ReadsEveryPath) {
+    const auto with = [](const std::string& path) {
+        return parsed(cube, {{"path=" + path}, {}}).settings.path;
+    };
+    EXPECT_EQ(with("auto"), raster::Path::Auto);
+    EXPECT_EQ(with("fast"), raster::Path::Fast);
+    EXPECT_EQ(with("textbook"), raster::Path::Textbook);
+    EXPECT_EQ(error_of(cube, {{"path=quick"}, {}}),
+              "--set path=quick: pipeline.path is \"quick\", accepted: auto, fast, textbook");
+}
+
+// An instruction set that this processor (or this build) lacks is refused; the message names those it has.
+TEST(Scene, TakesTheInstructionSetsThatAreThere) {
+    const auto there = raster::fast::instruction_sets();
+    std::string names = "auto";
+    for (const raster::fast::InstructionSet set : there)
+        names += ", " + std::string(name_of(std::optional(set), instruction_sets));
+    for (const auto& choice : instruction_sets) {
+        const std::string option = "instruction_set=" + std::string(choice.name);
+        if (!choice.meaning || std::find(there.begin(), there.end(), *choice.meaning) != there.end())
+            EXPECT_EQ(parsed(cube, {{option}, {}}).settings.instruction_set, choice.meaning);
+        else
+            EXPECT_EQ(error_of(cube, {{option}, {}}),
+                      "--set " + option + ": pipeline.instruction_set is \"" + std::string(choice.name) +
+                          "\", accepted: " + names + " (what this processor and this build have)");
+    }
 }
 
 TEST(Scene, ReadsEveryShadingAndCull) {
@@ -213,7 +249,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"[[object]]\nmesh = \"cube\"\n[pipeline]\ndepth = \"unorm24\"",
             "scene.toml:4:9: pipeline.depth is \"unorm24\", accepted: float32-reversed, float32-forward"},
         Bad{"[[object]]\nmesh = \"cube\"\n[pipeline]\ntexture = \"nearest\"",
-            "scene.toml:4:1: unknown key pipeline.texture, accepted: shading, texture_filter, depth, cull"}));
+            "scene.toml:4:1: unknown key pipeline.texture, accepted: shading, texture_filter, depth, cull, "
+            "path, instruction_set"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Lights, BadScene,
@@ -285,15 +322,15 @@ TEST(BadOptions, AreSaidAsTheyWereWritten) {
               "--set shading=phog: pipeline.shading is \"phog\", accepted: unlit, flat, gouraud, phong, did "
               "you mean "
               "'phong'?");
-    EXPECT_EQ(
-        with("shadng=flat"),
-        "--set shadng=flat: unknown key pipeline.shadng, accepted: shading, texture_filter, depth, cull, did "
-        "you mean 'shading'?");
+    EXPECT_EQ(with("shadng=flat"),
+              "--set shadng=flat: unknown key pipeline.shadng, accepted: shading, texture_filter, depth, "
+              "cull, path, instruction_set, did "
+              "you mean 'shading'?");
     for (const std::string none : {"shading", "=flat", ""})
         EXPECT_EQ(with(none),
                   "--set " + none +
                       ": accepted: key=value, with a key of [pipeline]: shading, texture_filter, depth, "
-                      "cull");
+                      "cull, path, instruction_set");
     EXPECT_EQ(error_of(cube, {{}, std::pair(0, 0)}),
               "--size 0x0: accepted: WIDTHxHEIGHT, two whole numbers from 1 to 8192");
 }
