@@ -28,6 +28,7 @@ constexpr Item stages[] = {
     {"culled", "which faces look away and are dropped"},
     {"coverage", "which triangle covers which pixel centre"},
     {"depth", "the depth buffer: what is nearest"},
+    {"visibility", "which triangle each pixel shows, and how often the textbook path shaded it"},
     {"attributes", "barycentric weights, normals, texture coordinates and 1/w, interpolated"},
     {"flat", "one light equation a face"},
     {"gouraud", "one light equation a corner, colours interpolated"},

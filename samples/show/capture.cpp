@@ -1,6 +1,30 @@
 #include "samples/show/capture.hpp"
 
+#include <algorithm>
+
+#include "raster/path.hpp"
+
 namespace relevo::show {
+namespace {
+
+static_assert(SeenPixel::nothing == raster::fast::nothing);
+
+raster::Image<std::uint32_t> visible_triangles(const scene::LoadedScene& loaded, const PixelProbe& seen) {
+    raster::Image<std::uint32_t> visible(loaded.width, loaded.height);
+    const raster::PathPlan plan = plan_path(loaded.scene, loaded.settings);
+    if (plan.fast) {
+        raster::fast::Workspace workspace;
+        raster::Frame frame = scene::make_frame(loaded);
+        draw(loaded.scene, loaded.settings, frame, workspace,
+             {plan.instruction_set, plan.tile, nullptr, &visible});
+    } else {
+        std::transform(seen.pixels.pixels().begin(), seen.pixels.pixels().end(), visible.pixels().begin(),
+                       [](const SeenPixel& pixel) { return pixel.primitive; });
+    }
+    return visible;
+}
+
+}  // namespace
 
 std::int64_t Capture::triangles() const {
     std::int64_t count = 0;
@@ -15,7 +39,7 @@ std::int64_t Capture::vertices() const {
 }
 
 Capture capture(const scene::LoadedScene& loaded) {
-    Capture out{&loaded, {}, {}};
+    Capture out{&loaded, {}, {}, {}};
     out.seen.geometry.models.resize(loaded.scene.models.size());
     for (std::size_t m = 0; m < loaded.scene.models.size(); ++m)
         out.seen.geometry.models[m].reserve(loaded.scene.models[m].mesh->vertices.size());
@@ -25,6 +49,7 @@ Capture capture(const scene::LoadedScene& loaded) {
     raster::Frame frame = scene::make_frame(loaded);
     raster::draw(loaded.scene, settings, frame, out.seen);
     out.depth = std::move(frame.depth);
+    out.visible = visible_triangles(loaded, out.seen.pixels);
     return out;
 }
 

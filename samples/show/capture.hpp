@@ -15,6 +15,7 @@ struct Capture {
     const scene::LoadedScene* loaded = nullptr;  // borrowed
     RecordingProbe seen;
     raster::Image<raster::Scalar> depth;
+    raster::Image<std::uint32_t> visible;  // the primitive that each pixel shows, or SeenPixel::nothing
 
     const raster::Scene& scene() const { return loaded->scene; }
     const raster::Model& model(std::size_t m) const { return loaded->scene.models[m]; }
@@ -24,7 +25,8 @@ struct Capture {
     bool reversed_depth() const { return loaded->settings.depth == raster::DepthFormat::Float32Reversed; }
 };
 
-// Draws the scene with Phong shading (so that normals reach the pixels) and notes what happens.
+// Draws the scene with Phong shading (so that normals reach the pixels) and notes what happens. `visible`
+// comes from the fast path where plan_path() chooses it, else from the probe: the same numbers.
 Capture capture(const scene::LoadedScene& loaded);
 
 // The scene's picture with this shading and the scene's other settings.

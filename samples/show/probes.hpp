@@ -50,6 +50,7 @@ struct SeenPixel {
     std::array<Scalar, 2> uv{};
     Scalar inv_w = 0;
     bool textured = false;
+    std::int32_t times_shaded = 0;
     bool empty() const { return primitive == nothing; }
 };
 
@@ -62,6 +63,7 @@ struct PixelProbe {
     void on(const raster::FragmentShaded& e) {
         ++passed;
         SeenPixel& pixel = pixels.at(e.x, e.y);
+        ++pixel.times_shaded;
         pixel.primitive = e.primitive, pixel.inv_w = e.inv_w, pixel.weights = {e.b0, e.b1, e.b2};
         pixel.textured = e.varying.size() >= 8;
         if (e.varying.size() >= 6) pixel.normal = {e.varying[3], e.varying[4], e.varying[5]};

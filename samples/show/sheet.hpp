@@ -29,7 +29,7 @@ std::vector<PanelRow> matrix_rows(const double (&rows)[4][4]);
 
 struct Heading {
     int number = 1;  // 1..of
-    int of = 16;
+    int of = 17;
     std::string name;      // of the stage
     std::string sentence;  // what happens here
     std::string subject;   // scene and size

@@ -33,6 +33,7 @@ StagePage draw_window(const Capture& capture, const Heading& heading);
 StagePage draw_culled(const Capture& capture, const Heading& heading);
 StagePage draw_coverage(const Capture& capture, const Heading& heading);
 StagePage draw_depth(const Capture& capture, const Heading& heading);
+StagePage draw_visibility(const Capture& capture, const Heading& heading);
 StagePage draw_attributes(const Capture& capture, const Heading& heading);
 StagePage draw_flat(const Capture& capture, const Heading& heading);
 StagePage draw_gouraud(const Capture& capture, const Heading& heading);

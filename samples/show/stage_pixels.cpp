@@ -161,6 +161,174 @@ StagePage draw_depth(const Capture& capture, const Heading& heading) {
     return stage;
 }
 
+// ---- several pictures of the pixels on one page ----
+namespace {
+
+Picture reduced(const Picture& picture, int divisor) {
+    Picture out((picture.width() + divisor - 1) / divisor, (picture.height() + divisor - 1) / divisor);
+    for (int y = 0; y < out.height(); ++y)
+        for (int x = 0; x < out.width(); ++x) out.at(x, y) = picture.at(x * divisor, y * divisor);
+    return out;
+}
+
+constexpr int pane_title = 30, pane_gap = 16;
+
+// How large each picture is drawn when they stand in rows and columns: `factor` pixels for one, or only every
+// `divisor`-th one where they are too large for that.
+struct Panes {
+    int columns, rows, divisor, factor, width, height;
+    int cell_width() const { return std::max(width, 16 * 2 * letter_cell); }
+    int area_width() const { return columns * (cell_width() + pane_gap) - pane_gap; }
+    int area_height() const { return rows * (height + pane_title + pane_gap) - pane_gap; }
+};
+Panes panes_of(const Capture& capture, int columns, int rows) {
+    const int w = columns * capture.loaded->width, h = rows * capture.loaded->height;
+    const int high = columns == 1 ? 1000 : 1300;
+    const int divisor = std::max({1, (w + 1299) / 1300, (h + high - 1) / high});
+    const int factor = divisor > 1 ? 1
+                                   : std::max(1, std::min((diagram_width + pane_gap - columns * pane_gap) / w,
+                                                          (720 - rows * pane_title) / h));
+    const auto drawn = [&](int pixels) { return (pixels + divisor - 1) / divisor * factor; };
+    return {columns, rows, divisor, factor, drawn(capture.loaded->width), drawn(capture.loaded->height)};
+}
+// Two pictures, above each other unless they are larger beside each other.
+Panes two_panes_of(const Capture& capture) {
+    const Panes above = panes_of(capture, 1, 2), beside = panes_of(capture, 2, 1);
+    return beside.width > above.width ? beside : above;
+}
+// A sentence for the panel when not all pixels are shown.
+void say_what_is_shown(const Panes& panes, PanelBlock& block) {
+    const char* const ending = panes.divisor == 2 ? "nd" : panes.divisor == 3 ? "rd" : "th";
+    if (panes.divisor > 1)
+        block.rows.push_back(quiet(fmt::format("Every {}{} pixel is shown.", panes.divisor, ending)));
+}
+Page lay_out(const Heading& heading, const std::vector<PanelBlock>& panel, const Panes& panes) {
+    return lay_out(heading, panel, panes.area_width(), panes.area_height());
+}
+// The picture under its title; where it stands.
+Rect paste_pane(Page& page, const Panes& panes, int number, const std::string& title,
+                const Picture& picture) {
+    const Canvas canvas = canvas_of(page.picture);
+    const int left = page.area.x + (page.area.width - panes.area_width()) / 2;
+    const int x = left + number % panes.columns * (panes.cell_width() + pane_gap),
+              y = page.area.y + number / panes.columns * (panes.height + pane_title + pane_gap);
+    text(canvas, x, y + 4, title, navy);
+    const Rect rect{x, y + pane_title, panes.width, panes.height};
+    paste(canvas, panes.divisor > 1 ? reduced(picture, panes.divisor) : picture, rect.x, rect.y,
+          panes.factor);
+    if (panes.factor >= 8) pixel_grid(canvas, rect, panes.factor, with_opacity(haze, 110));
+    frame(canvas, {rect.x - 1, rect.y - 1, rect.width + 2, rect.height + 2}, muted);
+    return rect;
+}
+
+}  // namespace
+
+// ---- visibility ----
+namespace {
+
+// The pixels of a triangle that are seen.
+struct SeenTriangle {
+    std::int64_t pixels = 0, sum_x = 0, sum_y = 0;
+};
+
+// The triangle's number in the middle of its pixels, if there is room for it.
+void write_number(const Canvas& canvas, const Rect& rect, const Panes& panes,
+                  const raster::Image<std::uint32_t>& visible, std::uint32_t triangle,
+                  const SeenTriangle& seen) {
+    constexpr int margin = 4, height = 2 * letter_height;
+    const std::string number = std::to_string(triangle);
+    const int width = text_width(number);
+    const auto on_page = [&](std::int64_t sum) {  // of the mean pixel's centre
+        return static_cast<int>((2 * sum + seen.pixels) * panes.factor / (2 * seen.pixels * panes.divisor));
+    };
+    const int left = on_page(seen.sum_x) - width / 2, top = on_page(seen.sum_y) - height / 2;
+    const auto pixel = [&](int at) { return at * panes.divisor / panes.factor; };
+    for (int y = top - margin; y <= top + height + margin; ++y)
+        for (int x = left - margin; x <= left + width + margin; ++x)
+            if (x < 0 || y < 0 || !visible.holds(pixel(x), pixel(y)) ||
+                visible.at(pixel(x), pixel(y)) != triangle)
+                return;
+    const Rgba8 c = color_of_number(triangle);
+    text(canvas, rect.x + left, rect.y + top, number, 2 * c.r + 5 * c.g + c.b > 8 * 120 ? night : paper);
+}
+
+constexpr std::array<Rgba8, 5> times_colors{{{214, 222, 230}, yellow, orange, vermilion, purple}};
+std::size_t times_index(const SeenPixel& p) {
+    return std::min(static_cast<std::size_t>(p.times_shaded), times_colors.size()) - 1;
+}
+
+}  // namespace
+
+StagePage draw_visibility(const Capture& capture, const Heading& heading) {
+    const raster::Image<std::uint32_t>& visible = capture.visible;
+    const PixelProbe& probe = capture.seen.pixels;
+    std::map<std::uint32_t, SeenTriangle> triangles;
+    for (int y = 0; y < visible.height(); ++y)
+        for (int x = 0; x < visible.width(); ++x)
+            if (visible.at(x, y) != SeenPixel::nothing) {
+                SeenTriangle& seen = triangles[visible.at(x, y)];
+                ++seen.pixels, seen.sum_x += x, seen.sum_y += y;
+            }
+    std::int64_t pixels = 0;
+    auto most = triangles.begin(), fewest = triangles.begin();
+    for (auto it = triangles.begin(); it != triangles.end(); ++it) {
+        pixels += it->second.pixels;
+        if (it->second.pixels > most->second.pixels) most = it;
+        if (it->second.pixels < fewest->second.pixels) fewest = it;
+    }
+    const double overdraw = pixels == 0 ? 0 : double(probe.passed) / double(pixels);
+
+    PanelBlock buffer{"Visibility buffer",
+                      {pair("triangles in the scene", grouped(capture.triangles())),
+                       pair("triangles seen", grouped(std::int64_t(triangles.size())))}};
+    const auto row = [&](const std::string& word, const auto& it) {
+        buffer.rows.push_back(sample(Kind::Square, color_of_number(it->first),
+                                     fmt::format("{}: number {}", word, it->first),
+                                     grouped(it->second.pixels) + " px"));
+    };
+    if (pixels > 0) row("most", most), row("fewest", fewest);
+    buffer.rows.push_back(sample(Kind::Square, night, "no triangle (stripes)"));
+    const PanelBlock shading{
+        "Pixels shaded",
+        {pair("textbook path", grouped(probe.passed)), pair("fast path", grouped(pixels)),
+         pair("overdraw", pixels == 0 ? "none" : number(overdraw) + " times"),
+         quiet("The textbook path shades whatever passes the depth test, even if a nearer triangle comes "
+               "later. The fast path tests all depths first and shades what is left: the same bytes.")}};
+    std::array<std::int64_t, times_colors.size()> times{};
+    for (const SeenPixel& p : probe.pixels.pixels())
+        if (!p.empty()) ++times[times_index(p)];
+    PanelBlock often{"Times shaded (textbook path)", {}};
+    constexpr std::array<const char*, times_colors.size()> words{"once", "twice", "3 times", "4 times",
+                                                                 "5 times or more"};
+    for (std::size_t i = 0; i < times.size(); ++i)
+        if (times[i] > 0)
+            often.rows.push_back(sample(Kind::Square, times_colors[i], words[i], grouped(times[i]) + " px"));
+    if (often.rows.empty()) often.rows.push_back(quiet("No pixel is covered."));
+    const Panes panes = two_panes_of(capture);
+    say_what_is_shown(panes, often);
+
+    Page page = lay_out(heading, {buffer, shading, often}, panes);
+    const Canvas canvas = canvas_of(page.picture);
+    const Rect numbers = paste_pane(
+        page, panes, 0, "triangle numbers",
+        painted(capture, [&](const SeenPixel&, int x, int y) { return color_of_number(visible.at(x, y)); }));
+    for (const auto& [triangle, seen] : triangles)
+        write_number(within(canvas, numbers), numbers, panes, visible, triangle, seen);
+    const Rect heat = paste_pane(
+        page, panes, 1, "times shaded",
+        painted(capture, [&](const SeenPixel& p, int, int) { return times_colors[times_index(p)]; }));
+    if (pixels == 0) say(canvas, numbers, "no pixel is covered"), say(canvas, heat, "no pixel is covered");
+    std::vector<Count> counts{{"triangles_seen", std::int64_t(triangles.size())},
+                              {"visible_pixels", pixels},
+                              {"textbook_shaded", probe.passed}};
+    if (pixels > 0) {
+        counts.push_back({"most_pixels", most->second.pixels});
+        counts.push_back({"fewest_pixels", fewest->second.pixels});
+        counts.push_back({"overdraw", overdraw});
+    }
+    return {std::move(page.picture), std::move(counts), {}, 1};
+}
+
 // ---- attributes ----
 namespace {
 
@@ -202,15 +370,6 @@ AttributeRanges attribute_ranges(const Capture& capture) {
     return r;
 }
 
-Picture reduced(const Picture& picture, int divisor) {
-    Picture out((picture.width() + divisor - 1) / divisor, (picture.height() + divisor - 1) / divisor);
-    for (int y = 0; y < out.height(); ++y)
-        for (int x = 0; x < out.width(); ++x) out.at(x, y) = picture.at(x * divisor, y * divisor);
-    return out;
-}
-
-constexpr int attribute_title = 30, attribute_gap = 16;
-
 }  // namespace
 
 StagePage draw_attributes(const Capture& capture, const Heading& heading) {
@@ -236,22 +395,9 @@ StagePage draw_attributes(const Capture& capture, const Heading& heading) {
          quiet(parallel ? "1 everywhere: the projection is parallel."
                         : "Linear in the window; dividing by it makes the others right in perspective.")}};
 
-    const int w = capture.loaded->width, h = capture.loaded->height;
-    const int divisor = std::max({1, (2 * w + 1299) / 1300, (2 * h + 1299) / 1300});
-    const int factor = divisor > 1 ? 1
-                                   : std::max(1, std::min((diagram_width - attribute_gap) / (2 * w),
-                                                          (720 - 2 * attribute_title) / (2 * h)));
-    const int width = (w + divisor - 1) / divisor * factor, height = (h + divisor - 1) / divisor * factor;
-    const int cell_width = std::max(width, 16 * 2 * letter_cell);
-    if (divisor > 1)
-        inv_w.rows.push_back(quiet(fmt::format("Every {}{} pixel is shown.", divisor,
-                                               divisor == 2   ? "nd"
-                                               : divisor == 3 ? "rd"
-                                                              : "th")));
-    Page page = lay_out(heading, {weights, normals, uv, inv_w}, 2 * cell_width + attribute_gap,
-                        2 * (height + attribute_title) + attribute_gap);
-    const Canvas canvas = canvas_of(page.picture);
-
+    const Panes panes = panes_of(capture, 2, 2);
+    say_what_is_shown(panes, inv_w);
+    Page page = lay_out(heading, {weights, normals, uv, inv_w}, panes);
     const std::array<std::string, 4> titles{"weights", "normals", "u, v", "1/w"};
     const std::array<Picture, 4> pictures{
         painted(capture, [](const SeenPixel& p, int, int) { return weight_color(p); }),
@@ -259,20 +405,12 @@ StagePage draw_attributes(const Capture& capture, const Heading& heading) {
         painted(capture, [](const SeenPixel& p, int, int) { return uv_color(p); }),
         painted(capture,
                 [&](const SeenPixel& p, int, int) { return grey(r.inv_w.share_of(double(p.inv_w))); })};
-    const int left = page.area.x + (page.area.width - 2 * cell_width - attribute_gap) / 2;
     for (int i = 0; i < 4; ++i) {
-        const int x = left + i % 2 * (cell_width + attribute_gap),
-                  y = page.area.y + i / 2 * (height + attribute_title + attribute_gap);
-        text(canvas, x, y + 4, titles[std::size_t(i)], navy);
-        const Rect rect{x, y + attribute_title, width, height};
-        paste(canvas, divisor > 1 ? reduced(pictures[std::size_t(i)], divisor) : pictures[std::size_t(i)],
-              rect.x, rect.y, factor);
-        if (factor >= 8) pixel_grid(canvas, rect, factor, with_opacity(haze, 110));
-        frame(canvas, {rect.x - 1, rect.y - 1, rect.width + 2, rect.height + 2}, muted);
+        const Rect rect = paste_pane(page, panes, i, titles[std::size_t(i)], pictures[std::size_t(i)]);
         if (r.inv_w.empty)
-            say(canvas, rect, "no pixel is covered");
+            say(canvas_of(page.picture), rect, "no pixel is covered");
         else if (i == 2 && r.textured == 0)
-            say(canvas, rect, "no texture in this scene", true);
+            say(canvas_of(page.picture), rect, "no texture in this scene", true);
     }
     std::vector<Count> counts{{"covered_pixels", visible_pixels(capture)}, {"textured_pixels", r.textured}};
     if (!r.inv_w.empty)

@@ -7,7 +7,7 @@
 namespace relevo::show {
 namespace {
 
-constexpr std::array<StageInfo, 16> all_stages{{
+constexpr std::array<StageInfo, 17> all_stages{{
     {"object", "Every model stands alone in coordinates of its own, as its file or its formula made it.",
      draw_object},
     {"world", "The models are placed in one common world, together with the camera and the lights.",
@@ -33,6 +33,9 @@ constexpr std::array<StageInfo, 16> all_stages{{
     {"depth",
      "Each pixel remembers the depth of the nearest surface so far; whatever lies behind it is thrown away.",
      draw_depth},
+    {"visibility",
+     "The fast path first finds the triangle that each pixel shows; then it shades every pixel exactly once.",
+     draw_visibility},
     {"attributes", "What the corners carry is interpolated to every pixel, correctly in perspective.",
      draw_attributes},
     {"flat", "One light calculation for a whole triangle: every facet shows a single colour.", draw_flat},

@@ -49,9 +49,12 @@ Picture strip(std::span<const Picture> thumbnails) {
     }
     const int across = std::clamp(static_cast<int>(thumbnails.size()), 1, columns);
     Picture all(across * (thumbnail_width + gap) + gap, tops.back(), rule);
+    const std::size_t lone = thumbnails.size() % columns;  // in the last row: they stand in its middle
     for (std::size_t k = 0; k < thumbnails.size(); ++k) {
         const Picture& one = thumbnails[k];
-        const int left = gap + static_cast<int>(k % columns) * (thumbnail_width + gap),
+        const bool in_short_row = thumbnails.size() > columns && k >= thumbnails.size() - lone;
+        const int empty = in_short_row ? columns - static_cast<int>(lone) : 0;
+        const int left = gap + (2 * static_cast<int>(k % columns) + empty) * (thumbnail_width + gap) / 2,
                   top = tops[k / columns];
         for (int y = 0; y < one.height(); ++y) std::copy_n(one.row(y), one.width(), all.row(top + y) + left);
     }

@@ -12,7 +12,7 @@ inline constexpr int thumbnail_width = 240, thumbnail_height = 180;
 // stands for. A smaller picture keeps its size.
 Picture thumbnail(const Picture& page);
 
-// Thumbnails in rows of four, in their order.
+// Thumbnails in rows of four, in their order; a shorter last row stands in the middle.
 Picture strip(std::span<const Picture> thumbnails);
 
 }  // namespace relevo::show

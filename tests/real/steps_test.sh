@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# `relevo steps` on the bunny from one pixel to 2048 x 2048: all sixteen stages each time, the same bytes twice.
+# `relevo steps` on the bunny from one pixel to 2048 x 2048: all seventeen stages each time, the same bytes twice.
 #   steps_test.sh RELEVO
 set -euo pipefail
 work=$(mktemp -d)
@@ -8,7 +8,7 @@ printf '[[object]]\nmesh = "/usr/share/glmark2/models/bunny.obj"\n' >"$work/bunn
 fail() { echo "steps: $*" >&2; exit 1; }
 
 sums() { (cd "$1" && sha256sum -- $(ls | grep -v timing)); }
-stages=(object world eye clip clipped ndc window culled coverage depth attributes flat gouraud phong texture final)
+stages=(object world eye clip clipped ndc window culled coverage depth visibility attributes flat gouraud phong texture final)
 for size in 1x1 7x5 2048x2048; do
     "$1" steps "$work/bunny.toml" -o "$work/$size" --size "$size" 2>"$work/said" || fail "$size: $(cat "$work/said")"
     number=0

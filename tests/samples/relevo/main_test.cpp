@@ -84,7 +84,7 @@ TEST(List, HasASentenceForEverything) {
     const std::string stages = run(folder, "list stages").out;
     for (const char* stage :
          {"object", "world", "eye", "clip", "clipped", "ndc", "window", "culled", "coverage", "depth",
-          "attributes", "flat", "gouraud", "phong", "texture", "final"})
+          "visibility", "attributes", "flat", "gouraud", "phong", "texture", "final"})
         EXPECT_NE(("\n" + stages).find("\n" + std::string(stage) + " "), std::string::npos) << stage;
     const std::string all = run(folder, "list").out;
     for (const char* list : {"stages", "knobs", "algorithms", "events", "formats"}) {

@@ -27,10 +27,11 @@ TEST(Stages, HaveTheirFixedNamesAndOrder) {
     std::string names;
     for (const StageInfo& stage : stages()) names += std::string(stage.name) + " ";
     EXPECT_EQ(names,
-              "object world eye clip clipped ndc window culled coverage depth attributes flat gouraud phong "
+              "object world eye clip clipped ndc window culled coverage depth visibility attributes flat "
+              "gouraud phong "
               "texture final ");
     EXPECT_EQ(stage_file(0), "01-object.png");
-    EXPECT_EQ(stage_file(15), "16-final.png");
+    EXPECT_EQ(stage_file(16), "17-final.png");
 }
 
 TEST(Stages, FinalHoldsTheRenderedPicture) {
@@ -90,11 +91,50 @@ TEST(Stages, CountsOfTheCube) {
     EXPECT_EQ(count(draw_stage(seen, stage_number("texture")), "textured_models"), 0);
 }
 
+// Two squares behind each other, the far one first: every pixel of the near one is shaded twice.
+const std::string two_squares = R"([image]
+width = 40
+height = 30
+[camera]
+projection = "orthographic"
+height = 30
+eye = [0, 0, 5]
+target = [0, 0, 0]
+[[object]]
+mesh = "plane"
+transform = [{ rotate = { axis = [1, 0, 0], degrees = 90 } }, { scale = 10 }]
+[[object]]
+mesh = "plane"
+transform = [{ rotate = { axis = [1, 0, 0], degrees = 90 } }, { scale = 4 }, { translate = [0, 0, 1] }]
+)";
+
+TEST(Stages, VisibilityCountsWhatTheTextbookPathShadesInVain) {
+    const StagePage page = draw_stage(capture(loaded_scene(two_squares)), stage_number("visibility"));
+    EXPECT_EQ(count(page, "triangles_seen"), 4);
+    EXPECT_EQ(count(page, "visible_pixels"), 400);
+    EXPECT_EQ(count(page, "textbook_shaded"), 400 + 64);
+    EXPECT_EQ(count(page, "most_pixels") + count(page, "fewest_pixels"), 200);
+    EXPECT_EQ(std::get<double>(page.counts.back().value), 464.0 / 400);
+}
+
+// The fast path knows it without a probe.
+TEST(Stages, BothPathsSeeTheSameTriangles) {
+    for (const std::string& text : {cube_scene, two_squares, outside_scene}) {
+        const Capture fast = capture(loaded_scene(text + "[pipeline]\npath = \"fast\"\n")),
+                      textbook = capture(loaded_scene(text + "[pipeline]\npath = \"textbook\"\n"));
+        EXPECT_EQ(fast.visible.pixels(), textbook.visible.pixels());
+        for (int y = 0; y < 30; ++y)
+            for (int x = 0; x < 40; ++x)
+                ASSERT_EQ(fast.visible.at(x, y), fast.seen.pixels.pixels.at(x, y).primitive);
+    }
+}
+
 TEST(Stages, NothingToSeeIsCountedAsNothing) {
     for (const std::string& text : {outside_scene, culled_scene}) {
         const scene::LoadedScene loaded = loaded_scene(text);
         const Capture seen = capture(loaded);
         EXPECT_EQ(count(draw_stage(seen, stage_number("coverage")), "covered_pixels"), 0);
+        EXPECT_EQ(count(draw_stage(seen, stage_number("visibility")), "visible_pixels"), 0);
         EXPECT_EQ(count(draw_stage(seen, stage_number("culled")), "kept"), 0);
         EXPECT_EQ(count(draw_stage(seen, stage_number("final")), "drawn_fragments"), 0);
     }

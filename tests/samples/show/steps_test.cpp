@@ -73,7 +73,7 @@ TEST(Steps, ThePageNeedsNothingFromOutside) {
     for (const char* forbidden : {"http:", "https:", "<script", "@import", "url(", "<b>"})
         EXPECT_EQ(page.find(forbidden), std::string::npos) << forbidden;
     for (const char* wanted :
-         {"01-object.png", "16-final.png", "&lt;b&gt;&amp;&quot;", "lang=\"en\"", "width=device-width"})
+         {"01-object.png", "17-final.png", "&lt;b&gt;&amp;&quot;", "lang=\"en\"", "width=device-width"})
         EXPECT_NE(page.find(wanted), std::string::npos) << wanted;
     EXPECT_EQ(page.find("07-window.png"), std::string::npos) << "only the chosen stages";
 }
@@ -91,10 +91,11 @@ TEST(Steps, AnUnknownStageIsRefusedWithASuggestion) {
     const TemporaryFolder folder;
     const auto failure = write_steps(loaded_scene(cube_scene), {folder.path("out"), {"object", "gourad"}});
     ASSERT_TRUE(failure);
-    EXPECT_EQ(failure->text(),
-              "--stage: there is no stage 'gourad', did you mean 'gouraud'? (stages: object, world, eye, "
-              "clip, clipped, ndc, "
-              "window, culled, coverage, depth, attributes, flat, gouraud, phong, texture, final)");
+    EXPECT_EQ(
+        failure->text(),
+        "--stage: there is no stage 'gourad', did you mean 'gouraud'? (stages: object, world, eye, "
+        "clip, clipped, ndc, "
+        "window, culled, coverage, depth, visibility, attributes, flat, gouraud, phong, texture, final)");
     EXPECT_TRUE(folder.names().empty());
 }
 

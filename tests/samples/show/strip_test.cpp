@@ -28,14 +28,16 @@ TEST(Strip, APixelIsTheAverageOfThoseItStandsFor) {
     EXPECT_EQ(small.at(1, 0), (Rgba8{30, 20, 30, 255}));  // (10 + 50 + 10 + 50 + 2) / 4
 }
 
-TEST(Strip, ThumbnailsStandInRowsOfFour) {
+TEST(Strip, ThumbnailsStandInRowsOfFourTheLastInTheMiddle) {
     std::vector<Picture> five(5, Picture(240, 100, Rgba8{1, 2, 3, 255}));
     five[4] = Picture(240, 40, Rgba8{9, 9, 9, 255});
     const Picture all = strip(five);
     EXPECT_EQ(all.width(), 4 * 244 + 4);
     EXPECT_EQ(all.height(), 4 + 104 + 44);
     EXPECT_EQ(all.at(4 + 3 * 244, 4), (Rgba8{1, 2, 3, 255}));
-    EXPECT_EQ(all.at(4, 108), (Rgba8{9, 9, 9, 255}));
+    EXPECT_EQ(all.at(4 + 3 * 122, 108), (Rgba8{9, 9, 9, 255}));
+    EXPECT_EQ(all.at(4 + 3 * 122 - 1, 108), rule);
+    EXPECT_EQ(strip(std::span(five).first(1)).at(4, 4), (Rgba8{1, 2, 3, 255}));
     EXPECT_GT(strip({}).width(), 0);
 }
 
