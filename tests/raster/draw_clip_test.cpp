@@ -95,8 +95,8 @@ TEST(DrawClip, EveryTriangleIsDrawnOrDroppedForOneReason) {
 
 // ------------------------------------------------------- what must not change a bit of colour or depth
 struct Picture {
-    std::vector<Rgba8> color;
-    std::vector<Scalar> depth;
+    Image<Rgba8>::Pixels color;
+    Image<Scalar>::Pixels depth;
     friend bool operator==(const Picture& a, const Picture& b) {
         return a.color == b.color && a.depth.size() == b.depth.size() &&
                std::memcmp(a.depth.data(), b.depth.data(), a.depth.size() * sizeof(Scalar)) == 0;
@@ -147,7 +147,7 @@ TEST(DrawClip, CornerOrderAndWindingDoNotChangeABit) {
             for (std::uint64_t seed = 0; seed < 25; ++seed) {
                 const hard::ClipTriangle t = hard::make(family, seed);
                 const Picture first = lit.draw_corners(t, orders[0]);
-                drawn += first.color != std::vector<Rgba8>(first.color.size(), first.color[0]);
+                drawn += first.color != Image<Rgba8>::Pixels(first.color.size(), first.color[0]);
                 for (const auto& order : orders)
                     ASSERT_TRUE(lit.draw_corners(t, order) == first)
                         << hard::name(family.name, seed) << ", shading " << static_cast<int>(shading)
