@@ -297,13 +297,34 @@ TEST(Boundary, EqualDepthsAcrossChunks) {
     }
 }
 
+// Triangles over more than 64 tiles stand in another list than small and middling ones.
+TEST(Boundary, EqualDepthsOfWideTriangles) {
+    const Size size{301, 289};
+    for (const View view : {View::Parallel, View::Perspective})
+        for (const int every : {2, 5, 40}) {
+            WindowScene scene(size, view, std::uint64_t(every));
+            for (int i = 0; i < 200; ++i) {
+                Corners t = flat(scene, i % 2 ? 70 : 3);
+                if (i % every == 0) {
+                    const double w = size.width * pixel, h = size.height * pixel;
+                    t[0].x = 0, t[0].y = h / 9, t[1].x = w, t[1].y = 0;
+                    t[2].x = std::floor(w * scene.random().unit()), t[2].y = h;
+                }
+                scene.add(t);
+            }
+            std::vector<Way> ways = all_ways();
+            std::erase_if(ways, [](const Way& way) { return way.tile != 32; });
+            ASSERT_TRUE(is_same(scene, ways, textured_phong())) << every;
+        }
+}
+
 // Needles over 64 tiles each: more numbers than the tiles' lists have room for.
 TEST(Boundary, MoreTrianglesThanTheListsHold) {
     const Size size{256, 256};
     WindowScene scene(size, View::Parallel);
     hard::Random& random = scene.random();
     const auto along = [&] { return static_cast<double>(random.integer(1, 30 * 256)); };
-    for (int i = 0; i < 135000; ++i) {
+    for (int i = 0; i < 160000; ++i) {
         const double end = 255 * pixel;
         const Scalar depth = Scalar(random.integer(1, 3)) / 4;
         const double x0 = along(), y0 = along(), x1 = end - along(), y1 = end - along();
