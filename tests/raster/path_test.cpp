@@ -80,7 +80,7 @@ TEST(Path, RenderDoesWhatThePlanSays) {
     model.mesh = &mesh;
     Scene scene;
     scene.models = {model};
-    scene.camera.clip_from_eye.m[2][3] = -1, scene.camera.clip_from_eye.m[3] = {0, 0, 0.1, 0};  // z = 0.1/w
+    scene.camera.clip_from_eye.m[2] = {0, 0, 0, -1}, scene.camera.clip_from_eye.m[3] = {0, 0, 0.1, 0};
     const auto frame = [] { return Frame{Image<Rgba8>(65, 33), Image<pipeline::Scalar>(65, 33), {}}; };
     const Settings textbook = asking_for(Path::Textbook);
     Frame right = frame();
