@@ -465,11 +465,31 @@ template <template <bool> class Program>
     return shaded;
 }
 
+// Everything is of one colour: which triangle a pixel shows does not matter.
+RELEVO_LANE std::uint64_t shade_one_color(const DrawState& draw, const TileMemory& tile, const TileBox& box) {
+    const Ints background(std::bit_cast<std::int32_t>(draw.background8));
+    const RgbOf<Floats> color = draw.models[0].setup.surface.color;
+    const Ints packed = to_whole(packed_rgba8<Floats>(color, draw.settings.output));
+    std::uint64_t shaded = 0;
+    for (int row = 0; row < box.height; ++row) {
+        const std::uint32_t* visible = tile.visible + row * tile.stride;
+        for (int x = 0; x < box.width; x += lanes) {
+            const Bools covered = !(load(visible + x) == Ints(static_cast<std::int32_t>(nothing)));
+            store(select(covered, packed, background), tile.color + row * tile.stride + x);
+            const int in_box = box.width - x < lanes ? box.width - x : lanes;
+            shaded += static_cast<unsigned>(count(covered && first_lanes(in_box)));
+        }
+    }
+    return shaded;
+}
+
 // Fills tile.color of the box, and the picture of linear colour if it was asked for. Returns the number of
 // shaded pixels.
 RELEVO_LANE std::uint64_t shade_tile(const DrawState& draw, const TileMemory& tile, const TileBox& box) {
     switch (draw.settings.shading) {
         case Shading::Unlit:
+            if (draw.models.size() == 1 && !draw.models[0].textured && draw.linear == nullptr)
+                return shade_one_color(draw, tile, box);
             return shade_rows<Unlit>(draw, tile, box);
         case Shading::Flat:
             return shade_rows<Flat>(draw, tile, box);
