@@ -107,7 +107,8 @@ RELEVO_LANE void cover_rows(const StoredSetup& s, int k, std::uint32_t id, const
 RELEVO_LANE void cover_triangle(const StoredSetup& s, int k, bool small, std::uint32_t id,
                                 const Nearness& nearness, const TileMemory& tile) {
     const double px = s.left[k], py = s.above[k];
-    const double e1 = px * s.dy2[k] - py * s.dx2[k], e2 = s.dx1[k] * py - s.dy1[k] * px;
+    // + 0.0: an edge value of 0 is +0, as a whole number's is
+    const double e1 = (px * s.dy2[k] - py * s.dx2[k]) + 0.0, e2 = (s.dx1[k] * py - s.dy1[k] * px) + 0.0;
     if (small) return cover_rows<Cover::Int>(s, k, id, nearness, tile, e1, e2);
 
     const double width = s.x1[k] - s.x0[k], height = s.y1[k] - s.y0[k];
