@@ -18,6 +18,12 @@ namespace {
 
 constexpr int thread_counts[] = {1, 2, 7};
 
+void compute_for(std::chrono::microseconds time) {
+    const auto end = std::chrono::steady_clock::now() + time;
+    while (std::chrono::steady_clock::now() < end) {
+    }
+}
+
 TEST(Workers, DoEveryItemExactlyOnceAndAreThenDone) {
     for (const int threads : thread_counts) {
         Workers workers(threads);
@@ -34,7 +40,7 @@ TEST(Workers, DoEveryItemExactlyOnceAndAreThenDone) {
 // with one work must not take an item of the next.
 TEST(Workers, ManyRunsInARow) {
     for (const int threads : thread_counts) {
-        Workers workers(threads);
+        Workers workers(threads, false);
         int current = 0;
         std::vector<int> sums(3);
         std::atomic<int> late = 0;
@@ -101,30 +107,39 @@ void wait_until_asleep(const std::vector<std::string>& threads) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
-// All `threads` items of a run meet: each thread works on one.
+// Runs until all items of one run meet: each thread works on one. `work` may be called more often.
 void meet(
     Workers& workers, const std::function<void(int worker)>& work = [](int) {}) {
     std::atomic<int> here = 0;
-    workers.run(workers.count(), [&](int, int worker) {
-        work(worker);
-        ++here;
-        while (here < workers.count()) std::this_thread::yield();
-    });
+    while (here < workers.count()) {
+        here = 0;
+        workers.run(workers.count(), [&](int, int worker) {
+            work(worker);
+            ++here;
+            const auto patience = std::chrono::steady_clock::now() + std::chrono::milliseconds(20);
+            while (here < workers.count() && std::chrono::steady_clock::now() < patience)
+                std::this_thread::yield();
+        });
+    }
 }
 
 TEST(Workers, HaveNumbersOfTheirOwn) {
     for (const int threads : thread_counts) {
-        Workers workers(threads);
-        for (int run = 0; run < 50; ++run) {
-            std::vector<std::atomic<int>> times(static_cast<std::size_t>(threads));
-            meet(workers, [&](int worker) { ++times.at(static_cast<std::size_t>(worker)); });
-            for (const auto& n : times) ASSERT_EQ(n, 1) << threads << " threads";
-        }
+        Workers workers(threads, false);
+        std::vector<std::atomic<int>> inside(static_cast<std::size_t>(threads));
+        std::atomic<int> wrong = 0;
+        for (int run = 0; run < 50; ++run)
+            workers.run(2 * threads, [&](int, int worker) {
+                if (inside.at(static_cast<std::size_t>(worker))++ != 0) ++wrong;
+                compute_for(std::chrono::microseconds(200));
+                --inside.at(static_cast<std::size_t>(worker));
+            });
+        EXPECT_EQ(wrong, 0) << threads << " threads";
     }
 }
 
 TEST(Workers, SleepWhenThereIsNothingToDo) {
-    Workers workers(7);
+    Workers workers(7, false);
     meet(workers);
     const std::clock_t before = std::clock();
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
@@ -132,7 +147,7 @@ TEST(Workers, SleepWhenThereIsNothingToDo) {
 }
 
 TEST(Workers, NoMoreThreadsWakeThanThereAreItems) {
-    Workers workers(7);
+    Workers workers(7, false);
     meet(workers);
     const std::vector<std::string> helpers = other_threads();
     const auto naps = [&] {
@@ -143,8 +158,9 @@ TEST(Workers, NoMoreThreadsWakeThanThereAreItems) {
         return sum;
     };
     const int before = naps(), runs = 200;
-    for (int run = 0; run < runs; ++run) workers.run(2, [](int, int) { usleep(100); });
-    EXPECT_LT(naps() - before, 4 * runs);  // two for each: the item sleeps once; 7 if all woke
+    for (int run = 0; run < runs; ++run)
+        workers.run(2, [](int, int) { compute_for(std::chrono::microseconds(200)); });
+    EXPECT_LT(naps() - before, 3 * runs);  // one for each run; 6 if all woke
 }
 
 std::atomic<int> caught = 0;
@@ -162,7 +178,7 @@ TEST(Workers, TheCallerFinishesAloneWhenNobodyElseGetsToRun) {
     ASSERT_EQ(pipe(gate), 0);
     std::signal(SIGUSR1, stay_until_released);
     constexpr int threads = 4;
-    Workers workers(threads);
+    Workers workers(threads, false);
     std::vector<pthread_t> handles(threads);
     meet(workers, [&](int worker) { handles[static_cast<std::size_t>(worker)] = pthread_self(); });
     wait_until_asleep(other_threads());
@@ -182,6 +198,43 @@ TEST(Workers, TheCallerFinishesAloneWhenNobodyElseGetsToRun) {
     alarm(0);
     std::signal(SIGUSR1, SIG_DFL);
     close(gate[0]), close(gate[1]);
+}
+
+// Helpers that sleep in the middle of an item, as those of a busy machine do, are asked seldom. With 2 ms an
+// item and two threads the caller would wait nearly half of the time.
+TEST(Workers, HelpersThatOnlyKeepTheCallerWaitingAreAskedSeldom) {
+    Workers workers(2);
+    int asked = 0;
+    for (int run = 0; run < 100; ++run) {
+        std::atomic<bool> begun = false, ended = false;
+        workers.run(2, [&](int item, int worker) {
+            if (worker == 0) {
+                for (int i = 0; i < 100 && item == 0 && !begun; ++i)
+                    compute_for(std::chrono::microseconds(50));
+            } else {
+                begun = true;
+                std::this_thread::sleep_for(std::chrono::milliseconds(2));
+                ended = true;
+            }
+        });
+        ASSERT_EQ(ended, begun) << "run() returned before the work was done";
+        asked += begun;
+    }
+    EXPECT_LT(asked, 40);
+}
+// Those that are worth it are asked again and again (on a busy machine not always).
+TEST(Workers, HelpersThatPayAreAskedAgain) {
+    Workers workers(2);
+    int asked = 0;
+    for (int run = 0; run < 100; ++run) {
+        std::atomic<bool> helped = false;
+        workers.run(50, [&](int, int worker) {
+            if (worker == 1) helped = true;
+            compute_for(std::chrono::microseconds(50));
+        });
+        asked += helped;
+    }
+    EXPECT_GT(asked, 10);
 }
 
 #ifndef NDEBUG
