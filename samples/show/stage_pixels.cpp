@@ -291,7 +291,7 @@ StagePage draw_visibility(const Capture& capture, const Heading& heading) {
     const PanelBlock shading{
         "Pixels shaded",
         {pair("textbook path", grouped(probe.passed)), pair("fast path", grouped(pixels)),
-         pair("overdraw", pixels == 0 ? "none" : number(overdraw) + " times"),
+         pair("overdraw", pixels == 0 ? "none" : number(overdraw) + " ×"),
          quiet("The textbook path shades whatever passes the depth test, even if a nearer triangle comes "
                "later. The fast path tests all depths first and shades what is left: the same bytes.")}};
     std::array<std::int64_t, times_colors.size()> times{};

@@ -92,7 +92,7 @@ TEST(Render, RefusesBadNumbersOfThreads) {
     const TemporaryFolder folder;
     folder.write("s.toml", small);
     for (const std::string threads : {"0", "257", "-1", "two", "2.5", "1e9", "99999999999999999999"})
-        EXPECT_EQ(run(folder, "render s.toml --threads=" + threads).err.substr(0, 40 + threads.size()),
+        EXPECT_EQ(run(folder, "render s.toml --threads=" + threads).err.substr(0, 41 + threads.size()),
                   "--threads " + threads + ": accepted: a whole number from");
     const Outcome outcome = run(folder, "render s.toml --threads 0");
     EXPECT_EQ(outcome.status, 2);

@@ -111,10 +111,11 @@ transform = [{ rotate = { axis = [1, 0, 0], degrees = 90 } }, { scale = 4 }, { t
 TEST(Stages, VisibilityCountsWhatTheTextbookPathShadesInVain) {
     const StagePage page = draw_stage(capture(loaded_scene(two_squares)), stage_number("visibility"));
     EXPECT_EQ(count(page, "triangles_seen"), 4);
-    EXPECT_EQ(count(page, "visible_pixels"), 400);
-    EXPECT_EQ(count(page, "textbook_shaded"), 400 + 64);
-    EXPECT_EQ(count(page, "most_pixels") + count(page, "fewest_pixels"), 200);
-    EXPECT_EQ(std::get<double>(page.counts.back().value), 464.0 / 400);
+    EXPECT_EQ(count(page, "visible_pixels"), 100);
+    EXPECT_EQ(count(page, "textbook_shaded"), 100 + 16);
+    EXPECT_EQ(count(page, "most_pixels"), 55 - 10);  // with and without the diagonal
+    EXPECT_EQ(count(page, "fewest_pixels"), 6);
+    EXPECT_EQ(std::get<double>(page.counts.back().value), 1.16);
 }
 
 // The fast path knows it without a probe.
