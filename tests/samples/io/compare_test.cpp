@@ -86,7 +86,7 @@ TEST(DifferencePicture, ShowsBothAndEightTimesTheDifference) {
     b.at(1, 0) = {12, 20, 130, 255};
     const Rgba8 white{255, 255, 255, 255}, black{0, 0, 0, 255};
     EXPECT_EQ(difference_picture(a, b).pixels(),
-              (std::vector<Rgba8>{
+              (Image<Rgba8>::Pixels{
                   a.at(0, 0), a.at(1, 0), white, b.at(0, 0), b.at(1, 0), white, black, {16, 0, 255, 255}}));
 }
 
