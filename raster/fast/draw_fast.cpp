@@ -1,7 +1,5 @@
 #include "raster/fast/draw_fast.hpp"
 
-#include <hwy/targets.h>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -114,8 +112,12 @@ std::string_view name(InstructionSet set) {
 std::span<const InstructionSet> instruction_sets() {
     static constexpr std::array all{InstructionSet::Sse4, InstructionSet::Avx2, InstructionSet::Avx512};
     static const std::size_t count = [] {
-        const auto supported = hwy::SupportedTargets();
-        return supported & HWY_AVX3 ? 3u : supported & HWY_AVX2 ? 2u : supported & HWY_SSE4 ? 1u : 0u;
+        const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+                          __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+        const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                            __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+                            __builtin_cpu_supports("avx512vl");
+        return avx512 ? 3u : avx2 ? 2u : __builtin_cpu_supports("sse4.2") ? 1u : 0u;
     }();
     return std::span(all).first(count);
 }
