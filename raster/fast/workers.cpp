@@ -41,6 +41,7 @@ void Workers::run(int items, const Work& work) {
     if (helpers <= 0 || Clock::now() < alone_until_) {
         for (int item = 0; item < items; ++item) work(item, 0);
     } else {
+        const Clock::time_point start = Clock::now();
         Job job;
         {
             const std::lock_guard lock(mutex_);
@@ -50,23 +51,24 @@ void Workers::run(int items, const Work& work) {
             invitations_ = helpers;
         }
         for (int i = 0; i < helpers; ++i) invited_.notify_one();
+        const Clock::time_point work_start = Clock::now();
         work_off(job, 0);
+        const Clock::time_point work_end = Clock::now();
         waiting_ = true;
-        const Clock::time_point start = Clock::now();
         {
             std::unique_lock lock(mutex_);
             invitations_ = 0;
             finished_.wait(lock, [&] { return done_ == items; });
         }
         waiting_ = false;
-        balance(Clock::now() - start);
+        balance(work_start - start + (Clock::now() - work_end));
     }
     running_ = false;
 }
 
-void Workers::balance(std::chrono::nanoseconds waited) {
+void Workers::balance(std::chrono::nanoseconds lost) {
     const std::int64_t helped = helped_;
-    account_ += std::chrono::nanoseconds(helped - helped_before_) - waited;
+    account_ += std::chrono::nanoseconds(helped - helped_before_) - lost;
     helped_before_ = helped;
     account_ = std::min(account_, credit);  // what was won long ago does not count
     if (account_.count() >= 0 || !thrifty_) return;

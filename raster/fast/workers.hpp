@@ -1,14 +1,15 @@
 // A pool of threads that sleep until there is work.
 //
-//   next_   run | item     one number, so that who wakes too late for a run takes nothing of the following
-//   one done_   items of the run that are complete: run() waits for items, never for a thread without one
+//   next_   run | item     one number: who wakes too late for a run takes nothing of the following one
+//   done_                  items of the run that are complete: run() waits for items, not for threads
 //
 // The calling thread works, too. If the others do not get to run, because the machine is busy, it does
 // everything alone and leaves; a helper that wakes later finds another run, or none, and sleeps on.
 //
 // What remains is a helper that is stopped in the middle of an item, with the caller waiting. So accounts are
-// kept: the helpers' processor time is won, the caller's waiting is lost. When more is lost than won, the
-// caller works alone for 16 times as long: helpers cost at most a 16th of the time, however bad the luck.
+// kept: the helpers' processor time is won, the caller's for waking them and waiting is lost. When more is
+// lost than won, the caller works alone for 16 times as long: helpers cost at most a 16th of the time,
+// however bad the luck.
 #pragma once
 #include <atomic>
 #include <chrono>
@@ -52,7 +53,7 @@ class Workers {
     void help(int worker);
     void work_off(const Job& job, int worker);
     int take(const Job& job);
-    void balance(std::chrono::nanoseconds waited);
+    void balance(std::chrono::nanoseconds lost);
 
     std::mutex mutex_;
     std::condition_variable invited_, finished_;

@@ -68,6 +68,7 @@ inline constexpr AccuracyRow accuracy_rows[] = {
     {"float32-forward at 30", "distance", "near 0.1, far 10000", 1.9e-5, "of the distance", 0},
     {"float32-forward at 1000", "distance", "near 0.1, far 10000", 7e-4, "of the distance", 0},
     {"float32-forward at 9000", "distance", "near 0.1, far 10000", 0.011, "of the distance", 0},
+    {"path, fast", "path, textbook", "any scene", 0, "of the pixels differ", 0},
     // lines, instructions a step
     {"line, dda", "line, midpoint", "lines on 1024 x 1024 pixels", 0.004, "of the pixels differ", 15},
     {"line, dda, sum", "exact sum", "lines on 1024 x 1024 pixels", 0.03, "pixel", 0},

@@ -1,6 +1,8 @@
-// What a cheaper setting costs: flat and Gouraud shading against Phong's, forward depth beside reversed.
+// What a cheaper setting costs: flat and Gouraud shading against Phong's, forward depth beside reversed, the
+// fast path beside the textbook's.
 #include "pipeline/light.hpp"
 #include "pipeline/projection.hpp"
+#include "raster/path.hpp"
 #include "tests/accuracy/measurement.hpp"
 
 namespace relevo::accuracy {
@@ -86,10 +88,46 @@ Measured depth_at() {
     return unseen_step(range, float(tenths) / 10);
 }
 
+// ---------------------------------------------------------------------------------------------------- path
+// Pixels of random triangles whose colour or depth is another one on the fast path (tests/raster/fast looks
+// everywhere).
+Measured fast_path() {
+    constexpr int width = 203, height = 151;
+    Random random(7);
+    const auto number = [&] { return static_cast<Scalar>(random.between(-3, 3)); };
+    pipeline::Mesh mesh;
+    for (std::uint32_t i = 0; i < 600; ++i) {
+        mesh.vertices.push_back({{{number(), number(), number() - 4}}, {{number(), number(), number()}}, {}});
+        mesh.indices.push_back(i);
+    }
+    raster::Model model;
+    model.mesh = &mesh;
+    raster::Scene scene;
+    scene.models = {model};
+    scene.lights = {{.position = {{4, 8, 6}}}};
+    scene.camera.clip_from_eye =
+        *pipeline::perspective(Degrees{60}, double(width) / height, 0.5, 100, pipeline::DepthRange::Reversed);
+    raster::Settings settings;
+    settings.cull = pipeline::Cull::None;
+    raster::fast::Workspace workspace;
+    raster::Frame frames[2];
+    for (raster::Frame& frame : frames) {
+        frame = {raster::Image<raster::Rgba8>(width, height), raster::Image<Scalar>(width, height), {}};
+        settings.path = &frame == frames ? raster::Path::Textbook : raster::Path::Auto;
+        render(scene, settings, frame, workspace);
+    }
+    int different = 0;
+    for (std::size_t i = 0; i < std::size_t(width) * height; ++i)
+        different += frames[0].color.pixels()[i] != frames[1].color.pixels()[i] ||
+                     frames[0].depth.pixels()[i] != frames[1].depth.pixels()[i];
+    return {double(different) / (width * height), text("%d of the pixels", different)};
+}
+
 using enum Instead;
 using enum Term;
 using enum pipeline::DepthRange;
 constexpr Measurement measurements[] = {
+    {"path, fast", fast_path},
     {"gouraud, diffuse, 10 degrees", shading<Gouraud, Diffuse, 10>},
     {"gouraud, diffuse, 20 degrees", shading<Gouraud, Diffuse, 20>},
     {"gouraud, diffuse, 40 degrees", shading<Gouraud, Diffuse, 40>},

@@ -69,8 +69,9 @@ double ratio(Artist& one, Artist& two) {
     while (one.milliseconds_for(frames) < 60) frames *= 2;  // several turns of the scheduler
     std::vector<double> ratios;
     for (int turn = 0; turn < 9; ++turn) {
-        const double alone = one.milliseconds_for(frames);
-        ratios.push_back(two.milliseconds_for(frames) / alone);
+        const double before = one.milliseconds_for(frames), together = two.milliseconds_for(2 * frames),
+                     after = one.milliseconds_for(frames);
+        ratios.push_back(together / (before + after));
     }
     std::nth_element(ratios.begin(), ratios.begin() + 4, ratios.end());
     return ratios[4];
