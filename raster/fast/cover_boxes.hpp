@@ -1,9 +1,8 @@
 // Coverage and depth of N small triangles in one tile: a triangle a lane, all boxes walked at once.
 //
 //   step      every lane looks at the same place of its own box: dx = 0, 1, ... of dy = 0, 1, ...
-//   covered   compressed into a list of fragments (place, nearness, id), in the order of the steps
-//   at last   fragment after fragment against the tile's memory; two lanes may have met in a pixel in the
-//   wrong
+//   covered   compressed into a list of fragments (nearness, place and lane), in the order of the steps
+//   at last   fragment after fragment against the tile's memory; lanes may have met in a pixel in the wrong
 //             order, so here the number decides at equal depth
 #pragma once
 #include "raster/fast/cover_rows.hpp"
@@ -25,13 +24,13 @@ RELEVO_LANE void cover_boxes(const DrawState& draw, const TileMemory& tile, cons
                              const std::uint32_t* ids, int most_columns, int most_rows) {
     struct {
         alignas(64) float nearness[(most_walked + 1) * lanes];
-        std::int32_t place[(most_walked + 1) * lanes], lane[(most_walked + 1) * lanes];
+        std::uint32_t place[(most_walked + 1) * lanes];  // and the lane above bit 16
     } fragments;
     int count_of_fragments = 0;
 
     Ints row0 = walk.e0 - walk.bias0, row1 = walk.e1 - walk.bias1, row2 = walk.e2 - walk.bias2;
     const Ints step0 = Ints(0) - walk.step1 - walk.step2, down0 = Ints(0) - walk.down1 - walk.down2;
-    Ints row_place = walk.place;
+    Ints row_place = walk.place + shift_left<16>(lane_numbers());
     for (int y = 0; y < most_rows; ++y) {
         const Bools in_rows = Ints(y) < walk.rows;
         Ints e0 = row0, e1 = row1, e2 = row2;
@@ -42,7 +41,6 @@ RELEVO_LANE void cover_boxes(const DrawState& draw, const TileMemory& tile, cons
                 const Floats z = nearness(depth<Floats>(plane, {0.0, exact1, exact2}));
                 store(compress(z, covered), fragments.nearness + count_of_fragments);
                 store(compress(row_place + Ints(x), covered), fragments.place + count_of_fragments);
-                store(compress(lane_numbers(), covered), fragments.lane + count_of_fragments);
                 count_of_fragments += count(covered);
             }
             e0 = e0 + step0, e1 = e1 + walk.step1, e2 = e2 + walk.step2;
@@ -52,10 +50,10 @@ RELEVO_LANE void cover_boxes(const DrawState& draw, const TileMemory& tile, cons
     }
 
     for (int k = 0; k < count_of_fragments; ++k) {
-        const std::uint32_t id = ids[fragments.lane[k]];
+        const std::uint32_t place = fragments.place[k] & 0xffff, id = ids[fragments.place[k] >> 16];
         const float near = fragments.nearness[k];
-        float& stored = tile.nearness[fragments.place[k]];
-        std::uint32_t& seen = tile.visible[fragments.place[k]];
+        float& stored = tile.nearness[place];
+        std::uint32_t& seen = tile.visible[place];
         if (near > stored || (near == stored && seen != nothing && is_before(draw, id, seen)))
             stored = near, seen = id;
     }

@@ -227,8 +227,27 @@ RELEVO_LANE Ints float_bits(Floats a) { return Ints(hn::BitCast(TagI(), a.v)); }
 RELEVO_LANE Floats bits_float(Ints a) { return Floats(hn::BitCast(TagF(), a.v)); }
 
 // The lanes that are true move to the front, in their order; what follows them may be anything.
-RELEVO_LANE Floats compress(Floats a, Bools mask) { return Floats(hn::Compress(a.v, mask.m)); }
+#if HWY_TARGET <= HWY_AVX3
 RELEVO_LANE Ints compress(Ints a, Bools mask) { return Ints(hn::Compress(a.v, int_mask(mask))); }
+#else
+// By a table of orders. Highway's own stands inside its function, and g++ copies it to the stack at every
+// call.
+struct LaneOrders {
+    std::uint8_t of[1 << lanes][lanes];
+};
+inline constexpr LaneOrders lane_orders = [] {
+    LaneOrders orders{};
+    for (int mask = 0; mask < 1 << lanes; ++mask)
+        for (int k = 0, n = 0; k < lanes; ++k)
+            if (mask >> k & 1) orders.of[mask][n++] = static_cast<std::uint8_t>(k);
+    return orders;
+}();
+RELEVO_LANE Ints compress(Ints a, Bools mask) {
+    const auto order = hn::LoadU(hn::Rebind<std::uint8_t, TagI>(), lane_orders.of[bits(mask)]);
+    return Ints(hn::TableLookupLanes(a.v, hn::IndicesFromVec(TagI(), hn::PromoteTo(TagI(), order))));
+}
+#endif
+RELEVO_LANE Floats compress(Floats a, Bools mask) { return bits_float(compress(float_bits(a), mask)); }
 
 // ------------------------------------------------------------------------------------------------ memory
 // Of N values in a row; `aligned` ones stand on a multiple of the register's size.
