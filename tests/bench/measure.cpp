@@ -20,16 +20,18 @@ double median(std::vector<double> values) {
 void take_turns(std::span<Contestant> contestants, Clock clock, Rounds rounds) {
     std::vector<std::vector<double>> medians(contestants.size());
     for (int round = -1; round < rounds.rounds; ++round) {
-        std::vector<std::vector<double>> times(contestants.size());
-        for (int frame = 0; frame < (round < 0 ? 1 : rounds.frames); ++frame)
-            for (std::size_t k = 0; k < contestants.size(); ++k) {
-                if (contestants[k].slow && frame != (round < 0 ? 0 : rounds.frames / 2)) continue;
+        for (std::size_t k = 0; k < contestants.size(); ++k) {
+            const Contestant& contestant = contestants[k];
+            std::vector<double> times;
+            const int first = contestant.slow && round >= 0 ? rounds.frames / 2 : 0;
+            const int count = contestant.slow || round < 0 ? 1 : rounds.frames;
+            for (int frame = first; frame < first + count; ++frame) {
                 const double start = milliseconds(clock);
-                contestants[k].draw(frame);
-                times[k].push_back(milliseconds(clock) - start);
+                contestant.draw(frame);
+                times.push_back(milliseconds(clock) - start);
             }
-        if (round < 0) continue;
-        for (std::size_t k = 0; k < contestants.size(); ++k) medians[k].push_back(median(times[k]));
+            if (round >= 0) medians[k].push_back(median(times));
+        }
     }
     for (std::size_t k = 0; k < contestants.size(); ++k) contestants[k].milliseconds = median(medians[k]);
 }

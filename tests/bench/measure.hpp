@@ -1,4 +1,4 @@
-// How the benchmarks measure: contestants take turns, frame by frame, so that whatever else the machine does
+// How the benchmarks measure: contestants take turns, round by round, so that whatever else the machine does
 // meets all of them alike. Only ratios mean anything on a shared machine.
 #pragma once
 #include <functional>
@@ -22,7 +22,9 @@ struct Contestant {
     double milliseconds = 0;  // found by take_turns: the median of the rounds, each the median of its frames
 };
 
-// A round is frames 0, 1, 2, ... drawn by each contestant in turn; one round without a clock comes first.
+// In each round a contestant draws its frames 0, 1, 2, ... one after the other, as a program does, then the
+// next one has its turn: each finds in the caches what it left there itself. One round without a clock comes
+// first.
 struct Rounds {
     int rounds = 5, frames = 7;
 };
