@@ -47,6 +47,10 @@ constexpr T select(bool mask, const T& yes, const T& no) {
     return mask ? yes : no;
 }
 
+// a where a > b (a < b), else b: b where one is not a number, and of two zeros b.
+constexpr Scalar greater(Scalar a, Scalar b) { return a > b ? a : b; }
+constexpr Scalar smaller(Scalar a, Scalar b) { return a < b ? a : b; }
+
 inline bool is_finite(Scalar x) { return std::isfinite(x); }
 
 // Between the number types: to_wide, to_big, to_word and to_whole are exact; rounded() and to_real() round

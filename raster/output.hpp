@@ -41,9 +41,8 @@ extern const SrgbTable srgb_table;
 // Codes 0..255. Not-a-number is written as 0, infinities as 0 and 255.
 template <class Real>
 Real clamped_light(Real c) {
-    using pipeline::select;
-    const Real positive = select(c > 0, c, Real(0));
-    return select(positive < 1, positive, Real(1));
+    using pipeline::greater, pipeline::smaller;
+    return smaller(greater(c, Real(0)), Real(1));
 }
 template <class Real>
 Whole<Real> raw_code(Real c) {

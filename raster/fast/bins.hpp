@@ -1,11 +1,10 @@
 // Which triangles touch which tile: for each chunk of triangles and each tile a list of ids in drawing order.
 //
-//   Chunk   lists[tile] -> block -> block -> ...      a block: 15 ids and the number of the next block, 64
-//   bytes
+//   Chunk   lists[tile] -> 15 ids, link -> 63 ids, link -> 63 ids, link ...     one cache line, then four
 //           wide[0], wide[1], ...                     triangles over many tiles: every tile looks at these
 //
 // A tile draws the lists of all chunks in their order, each merged with its chunk's `wide` ones. Where the
-// room for blocks ends, ids go to `wide`: slower, but nothing is lost and memory is bounded.
+// room for ids ends, they go to `wide`: slower, but nothing is lost and memory is bounded.
 #pragma once
 #include <cstdint>
 
@@ -13,21 +12,19 @@
 
 namespace relevo::raster::fast {
 
-struct Block {
-    static constexpr std::uint32_t capacity = 15, none = 0xffffffffu;
-    std::uint32_t ids[capacity];
-    std::uint32_t next;
-};
+// A block of ids and the link to the next one, in words. Few triangles touch most tiles: the first is small.
+inline constexpr std::uint32_t first_block = 16, later_block = 64;
+
 struct TileList {
-    std::uint32_t first = Block::none, last = Block::none;
-    std::uint32_t count = 0, in_last = Block::capacity;  // ids in all, in the last block
+    std::uint32_t first = 0, end = 0;  // words: the first block; where the next id, or the link, goes
+    std::uint32_t room = 0, count = 0;  // ids: that fit into the last block; in all
 };
 
 struct Chunk {
     std::uint32_t number = 0, first = 0, last = 0;  // primitives first..last-1
     TileList* lists = nullptr;                      // of each tile
-    Block* blocks = nullptr;
-    std::uint32_t block_count = 0, block_capacity = 0;
+    std::uint32_t* words = nullptr;                 // of all blocks
+    std::uint32_t word_count = 0, word_capacity = 0;
     const std::uint32_t* wide = nullptr;
     std::uint32_t wide_count = 0;
     Counts counts;
@@ -37,20 +34,21 @@ struct Chunk {
 inline constexpr int max_listed_tiles = 64;
 
 // The rare ways, compiled without any instruction set of their own (draw_fast.cpp).
-bool grow_blocks(Chunk& chunk);  // false: no more room
+bool grow_words(Chunk& chunk);  // room for one more block; false: there is no more
 void append_wide(Chunk& chunk, std::uint32_t id);
 void clip_into_bins(const DrawState& draw, Chunk& chunk, const ModelState& model, std::uint32_t primitive);
 
 [[gnu::always_inline]] inline void append(Chunk& chunk, int tile, std::uint32_t id) {
     TileList& list = chunk.lists[tile];
-    if (list.in_last == Block::capacity) {
-        if (chunk.block_count == chunk.block_capacity && !grow_blocks(chunk)) return append_wide(chunk, id);
-        const std::uint32_t block = chunk.block_count++;
-        (list.count == 0 ? list.first : chunk.blocks[list.last].next) = block;
-        list.last = block, list.in_last = 0;
+    if (list.room == 0) {
+        const std::uint32_t size = list.count == 0 ? first_block : later_block;
+        if (chunk.word_count + size > chunk.word_capacity && !grow_words(chunk)) return append_wide(chunk, id);
+        (list.count == 0 ? list.first : chunk.words[list.end]) = chunk.word_count;
+        list.end = chunk.word_count, list.room = size - 1;
+        chunk.word_count += size;
     }
-    chunk.blocks[list.last].ids[list.in_last++] = id;
-    ++list.count;
+    chunk.words[list.end++] = id;
+    --list.room, ++list.count;
 }
 
 // The triangle may touch the tiles x0..x1 by y0..y1.

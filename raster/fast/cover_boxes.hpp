@@ -19,9 +19,9 @@ struct BoxWalk {
     Ints columns, rows;
 };
 
-RELEVO_LANE void cover_boxes(const DrawState& draw, const TileMemory& tile, const BoxWalk& walk,
+RELEVO_LANE void cover_boxes(const TileMemory& tile, const BoxWalk& walk,
                              const InterpolatorOf<Floats>& plane, const Nearness& nearness,
-                             const std::uint32_t* ids, int most_columns, int most_rows) {
+                             std::uint32_t first_number, int most_columns, int most_rows) {
     struct {
         alignas(64) float nearness[(most_walked + 1) * lanes];
         std::uint32_t place[(most_walked + 1) * lanes];  // and the lane above bit 16
@@ -50,12 +50,12 @@ RELEVO_LANE void cover_boxes(const DrawState& draw, const TileMemory& tile, cons
     }
 
     for (int k = 0; k < count_of_fragments; ++k) {
-        const std::uint32_t place = fragments.place[k] & 0xffff, id = ids[fragments.place[k] >> 16];
+        const std::uint32_t place = fragments.place[k] & 0xffff,
+                            number = first_number + (fragments.place[k] >> 16);
         const float near = fragments.nearness[k];
         float& stored = tile.nearness[place];
         std::uint32_t& seen = tile.visible[place];
-        if (near > stored || (near == stored && seen != nothing && is_before(draw, id, seen)))
-            stored = near, seen = id;
+        if (near > stored || (near == stored && number < seen && seen != nothing)) stored = near, seen = number;
     }
 }
 

@@ -37,7 +37,7 @@ enum class Cover {
 
 // Rows of one triangle, a pixel a lane. (e1, e2): edge values at the first pixel.
 template <Cover cover>
-RELEVO_LANE void cover_rows(const StoredSetup& s, int k, std::uint32_t id, const Nearness& nearness,
+RELEVO_LANE void cover_rows(const StoredSetup& s, int k, std::uint32_t number, const Nearness& nearness,
                             const TileMemory& tile, double first1, double first2) {
     const Interpolator plane{s.z0[k], s.g1[k], s.g2[k], 0, 0, 0};
     const double step1 = 256.0 * s.dy2[k], step2 = -256.0 * s.dy1[k];
@@ -62,7 +62,7 @@ RELEVO_LANE void cover_rows(const StoredSetup& s, int k, std::uint32_t id, const
         i_row0 = Ints(static_cast<std::int32_t>(s.area[k])) - e1 - e2 - bias0;
     }
 
-    const Ints id_lanes(static_cast<std::int32_t>(id));
+    const Ints numbers(static_cast<std::int32_t>(number));
     const int columns = s.x1[k] - s.x0[k] + 1, rows = s.y1[k] - s.y0[k] + 1;
     const Bools last_columns = first_lanes((columns - 1) % lanes + 1);
     float* near_row = tile.nearness + s.y0[k] * tile.stride + s.x0[k];
@@ -86,7 +86,7 @@ RELEVO_LANE void cover_rows(const StoredSetup& s, int k, std::uint32_t id, const
             seen = seen && z > stored;
             if (!any(seen)) return;
             store(select(seen, z, stored), near_row + x);
-            store(select(seen, id_lanes, load(visible_row + x)), visible_row + x);
+            store(select(seen, numbers, load(visible_row + x)), visible_row + x);
         };
         int x = 0;
         for (; x + lanes < columns; x += lanes) {
@@ -104,12 +104,12 @@ RELEVO_LANE void cover_rows(const StoredSetup& s, int k, std::uint32_t id, const
 }
 
 // The rows of triangle k, the cheapest way that is exact.
-RELEVO_LANE void cover_triangle(const StoredSetup& s, int k, bool small, std::uint32_t id,
+RELEVO_LANE void cover_triangle(const StoredSetup& s, int k, bool small, std::uint32_t number,
                                 const Nearness& nearness, const TileMemory& tile) {
     const double px = s.left[k], py = s.above[k];
     // + 0.0: an edge value of 0 is +0, as a whole number's is
     const double e1 = (px * s.dy2[k] - py * s.dx2[k]) + 0.0, e2 = (s.dx1[k] * py - s.dy1[k] * px) + 0.0;
-    if (small) return cover_rows<Cover::Int>(s, k, id, nearness, tile, e1, e2);
+    if (small) return cover_rows<Cover::Int>(s, k, number, nearness, tile, e1, e2);
 
     const double width = s.x1[k] - s.x0[k], height = s.y1[k] - s.y0[k];
     const double step1 = 256.0 * s.dy2[k], step2 = -256.0 * s.dy1[k], down1 = -256.0 * s.dx2[k],
@@ -125,9 +125,9 @@ RELEVO_LANE void cover_triangle(const StoredSetup& s, int k, bool small, std::ui
     edge(e2, step2, down2, s.bias2[k]);
     if (!touches) return;
     if (crosses)
-        cover_rows<Cover::Double>(s, k, id, nearness, tile, e1, e2);
+        cover_rows<Cover::Double>(s, k, number, nearness, tile, e1, e2);
     else
-        cover_rows<Cover::All>(s, k, id, nearness, tile, e1, e2);
+        cover_rows<Cover::All>(s, k, number, nearness, tile, e1, e2);
 }
 
 }  // namespace relevo::raster::fast::HWY_NAMESPACE

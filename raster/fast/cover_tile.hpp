@@ -1,7 +1,7 @@
 // Stage 3 of the fast path: coverage and depth of a tile's triangles. What is left is a visibility buffer:
 //
 //   nearness   of each pixel (greater is nearer)          rows of `stride`, a little longer than the tile
-//   visible    of each pixel: the id of its triangle
+//   visible    of each pixel: its triangle, by the place in the tile's list of ids
 //
 // Set-up is N triangles at a time, a lane each; then small ones together (cover_boxes.hpp) and others alone
 // (cover_rows.hpp), all exactly as the textbook path. Triangles are drawn in their order, so that strict
@@ -17,9 +17,9 @@ namespace relevo::raster::fast::HWY_NAMESPACE {
 RELEVO_LANE Ints bias_of(Ints dx, Ints dy) { return select(is_top_left(dx, dy), Ints(0), Ints(1)); }
 
 // N triangles of the tile, corners staged side by side.
-RELEVO_LANE void cover_group(const DrawState& draw, const TileMemory& tile, const TileBox& box,
+RELEVO_LANE void cover_group(const Nearness& nearness, const TileMemory& tile, const TileBox& box,
                              const SnappedCorner* corner0, const SnappedCorner* corner1,
-                             const SnappedCorner* corner2, const std::uint32_t* ids, int count_in_group) {
+                             const SnappedCorner* corner2, std::uint32_t first_number, int count_in_group) {
     const auto [c0, c1, c2] =
         canonical_order(load_corners(corner0), load_corners(corner1), load_corners(corner2));
     const auto triangle = make_triangle<Floats>(c0, c1, c2);
@@ -37,7 +37,6 @@ RELEVO_LANE void cover_group(const DrawState& draw, const TileMemory& tile, cons
     const Ints px = shift_left<8>(x0) + Ints(128) - c0.x, py = shift_left<8>(y0) + Ints(128) - c0.y;
     const Ints bias0 = bias_of(dx2 - dx1, dy2 - dy1), bias1 = bias_of(Ints(0) - dx2, Ints(0) - dy2),
                bias2 = bias_of(dx1, dy1);
-    const Nearness nearness{Ints(draw.settings.depth == DepthFormat::Float32Reversed ? 0 : INT32_MIN)};
 
     const std::uint32_t valid_bits = bits(valid);
     if (valid_bits == 0) return;
@@ -60,7 +59,7 @@ RELEVO_LANE void cover_group(const DrawState& draw, const TileMemory& tile, cons
                            (y0 - Ints(box.y0)) * Ints(tile.stride) + (x0 - Ints(box.x0)),
                            columns,
                            rows};
-        return cover_boxes(draw, tile, walk, plane, nearness, ids, most_columns, most_rows);
+        return cover_boxes(tile, walk, plane, nearness, first_number, most_columns, most_rows);
     }
 
     StoredSetup s;
@@ -73,36 +72,34 @@ RELEVO_LANE void cover_group(const DrawState& draw, const TileMemory& tile, cons
     const std::uint32_t small_bits = bits(small);
     for (std::uint32_t rest = valid_bits; rest != 0; rest &= rest - 1) {
         const int k = std::countr_zero(rest);
-        cover_triangle(s, k, small_bits >> k & 1, ids[k], nearness, tile);
+        cover_triangle(s, k, small_bits >> k & 1, first_number + static_cast<std::uint32_t>(k), nearness, tile);
     }
 }
 
-// Draws the tile's triangles into its memory; false when nothing touches it (the memory is untouched then).
-RELEVO_LANE bool cover_tile(const DrawState& draw, const Chunk* chunks, int chunk_count,
-                            const TileScratch& scratch, int tile_number, const TileBox& box) {
+// Draws the tile's triangles into its memory. Returns their number; when it is 0, the memory is untouched.
+RELEVO_LANE int cover_tile(const DrawState& draw, const Chunk* chunks, int chunk_count,
+                           const TileScratch& scratch, int tile_number, const TileBox& box) {
     const TileMemory& tile = scratch.tile;
-    TileReader reader(draw, chunks, chunk_count, tile_number);
-    bool touched = false;
-    for (;;) {
-        const int in_batch = reader.read(scratch.ids, tile_batch);
-        if (in_batch == 0) return touched;
-        if (!touched) {
-            const Floats cleared(draw.settings.depth == DepthFormat::Float32Reversed ? 0.f : -1.f);
-            for (int k = 0; k < box.height * tile.stride; k += lanes) {
-                store(cleared, tile.nearness + k);
-                store(Ints(static_cast<std::int32_t>(nothing)), tile.visible + k);
-            }
-            touched = true;
-        }
-        alignas(64) SnappedCorner staged[3][cover_batch + 16];
-        for (int first = 0; first < in_batch; first += cover_batch) {
-            const int n = in_batch - first < cover_batch ? in_batch - first : cover_batch;
-            stage_corners(draw, scratch.ids + first, n, staged);
-            for (int k = 0; k < n; k += lanes)
-                cover_group(draw, tile, box, &staged[0][k], &staged[1][k], &staged[2][k],
-                            scratch.ids + first + k, n - k < lanes ? n - k : lanes);
-        }
+    const int listed = read_list(draw, chunks, chunk_count, tile_number, scratch.ids);
+    if (listed == 0) return 0;
+
+    const bool reversed = draw.settings.depth == DepthFormat::Float32Reversed;
+    const Nearness nearness{Ints(reversed ? 0 : INT32_MIN)};
+    const Floats cleared(reversed ? 0.f : -1.f);
+    const int rows = (box.height + block_rows - 1) / block_rows * block_rows;
+    for (int k = 0; k < rows * tile.stride; k += lanes) {
+        store(cleared, tile.nearness + k);
+        store(Ints(static_cast<std::int32_t>(nothing)), tile.visible + k);
     }
+    alignas(64) SnappedCorner staged[3][cover_batch + 16];
+    for (int first = 0; first < listed; first += cover_batch) {
+        const int n = listed - first < cover_batch ? listed - first : cover_batch;
+        stage_corners(draw, scratch.ids + first, n, staged);
+        for (int k = 0; k < n; k += lanes)
+            cover_group(nearness, tile, box, &staged[0][k], &staged[1][k], &staged[2][k],
+                        static_cast<std::uint32_t>(first + k), n - k < lanes ? n - k : lanes);
+    }
+    return listed;
 }
 
 }  // namespace relevo::raster::fast::HWY_NAMESPACE

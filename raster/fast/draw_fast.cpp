@@ -56,8 +56,8 @@ struct ModelMemory {
 
 struct ChunkMemory {
     Buffer<TileList> lists;
-    Buffer<Block> blocks;
-    std::size_t max_blocks = 0;
+    Buffer<std::uint32_t> words;
+    std::size_t max_words = 0;
     std::vector<std::uint32_t> wide;
     std::vector<Piece> pieces;
 };
@@ -65,6 +65,7 @@ struct ChunkMemory {
 struct WorkerMemory {
     Buffer<Scalar> nearness;
     Buffer<std::uint32_t> visible, color, ids;
+    Buffer<std::byte> kept;
     TileScratch scratch;
     std::uint64_t shaded_pixels = 0;
 };
@@ -95,9 +96,9 @@ std::size_t Workspace::bytes() const {
     std::size_t sum = sizeof(Memory);
     for (const ModelMemory& m : memory_->models) sum += m.window.bytes() + m.carried.bytes();
     for (const ChunkMemory& c : memory_->chunks)
-        sum += c.lists.bytes() + c.blocks.bytes() + bytes_of(c.wide) + bytes_of(c.pieces);
+        sum += c.lists.bytes() + c.words.bytes() + bytes_of(c.wide) + bytes_of(c.pieces);
     for (const WorkerMemory& w : memory_->workers)
-        sum += w.nearness.bytes() + w.visible.bytes() + w.color.bytes() + w.ids.bytes();
+        sum += w.nearness.bytes() + w.visible.bytes() + w.color.bytes() + w.ids.bytes() + w.kept.bytes();
     return sum + bytes_of(memory_->models) + bytes_of(memory_->chunks) + bytes_of(memory_->workers) +
            bytes_of(memory_->states) + bytes_of(memory_->chunk_states) + bytes_of(memory_->pieces);
 }
@@ -143,13 +144,13 @@ struct GrowingChunk : Chunk {
 
 }  // namespace
 
-bool grow_blocks(Chunk& chunk) {
+bool grow_words(Chunk& chunk) {
     ChunkMemory& memory = *static_cast<GrowingChunk&>(chunk).memory;
     const std::size_t count =
-        std::min(std::max<std::size_t>(1024, 2 * std::size_t{chunk.block_capacity}), memory.max_blocks);
-    if (count <= chunk.block_capacity) return false;
-    chunk.blocks = memory.blocks.grow(count);
-    chunk.block_capacity = static_cast<std::uint32_t>(count);
+        std::min(std::max<std::size_t>(1 << 14, 2 * std::size_t{chunk.word_capacity}), memory.max_words);
+    if (count < std::size_t{chunk.word_count} + later_block) return false;
+    chunk.words = memory.words.grow(count);
+    chunk.word_capacity = static_cast<std::uint32_t>(count);
     return true;
 }
 
@@ -327,11 +328,11 @@ class FastDraw {
             chunk.memory = &memory;
             chunk.lists = memory.lists.room_for(tiles);
             std::fill_n(chunk.lists, tiles, TileList{});
-            chunk.blocks = memory.blocks.room_for(0);
-            chunk.block_capacity = static_cast<std::uint32_t>(memory.blocks.capacity());
-            memory.max_blocks = std::max(
-                (block_room / chunk_count_ + 8 * std::size_t{chunk.last - chunk.first}) / sizeof(Block),
-                memory.blocks.capacity());
+            chunk.words = memory.words.room_for(0);
+            chunk.word_capacity = static_cast<std::uint32_t>(memory.words.capacity());
+            memory.max_words =
+                std::max((list_room / chunk_count_ + 8 * std::size_t{chunk.last - chunk.first}) / 4,
+                         memory.words.capacity());
             memory.wide.clear();
             memory.pieces.clear();
         }
@@ -349,11 +350,15 @@ class FastDraw {
         for (WorkerMemory& worker : memory_.workers) {
             worker.scratch = {{stride, worker.nearness.room_for(pixels), worker.visible.room_for(pixels),
                                worker.color.room_for(pixels)},
-                              worker.ids.room_for(tile_batch + 16)};
+                              nullptr, worker.kept.room_for(kept_bytes)};
             worker.shaded_pixels = 0;
         }
         each(draw_.tiles_across * draw_.tiles_down, [&](int tile, int w) {
             WorkerMemory& worker = memory_.workers[std::size_t(w)];
+            std::size_t listed = 0;
+            for (const Chunk& chunk : memory_.chunk_states)
+                listed += std::size_t{chunk.lists[tile].count} + chunk.wide_count;
+            worker.scratch.ids = worker.ids.room_for(listed + first_block);
             worker.shaded_pixels += stages_.draw_tile(draw_, memory_.chunk_states.data(),
                                                       static_cast<int>(chunk_count_), worker.scratch, tile);
         });
@@ -367,7 +372,7 @@ class FastDraw {
         return counts_;
     }
 
-    static constexpr std::size_t block_room = std::size_t{32} << 20;  // bytes, besides 8 a triangle
+    static constexpr std::size_t list_room = std::size_t{32} << 20;  // bytes, besides 8 a triangle
 
     const Scene& scene_;
     Workspace::Memory& memory_;

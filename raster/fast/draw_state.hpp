@@ -95,7 +95,7 @@ inline std::uint32_t model_of(const DrawState& draw, std::uint32_t primitive) {
 // The memory of one tile, of one worker. Rows are `stride` long: a register may reach past the tile's end.
 //
 //   nearness  of each pixel: its depth, with the sign turned when forward depth is drawn: greater is nearer
-//   visible   of each pixel: the id of the triangle that is seen
+//   visible   of each pixel: the triangle that is seen, by its place in the tile's list
 //   color     of each pixel: filled by shading
 struct TileMemory {
     int stride = 0;

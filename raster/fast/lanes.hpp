@@ -24,6 +24,8 @@ namespace relevo::raster::fast::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 #define RELEVO_LANE [[gnu::always_inline]] inline
+// After a lambda's parameters: it becomes part of its caller, whatever its size.
+#define RELEVO_INSIDE __attribute__((always_inline))
 
 using TagF = hn::ScalableTag<float>;
 using TagI = hn::ScalableTag<std::int32_t>;
@@ -99,6 +101,15 @@ RELEVO_LANE std::uint32_t bits(Bools a) {
     return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8;
 #endif
 }
+RELEVO_LANE Bools from_bits(std::uint32_t which) {
+#if HWY_TARGET == HWY_AVX3
+    return {hn::Mask<TagF>{static_cast<__mmask16>(which)}};
+#else
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(which), static_cast<std::uint8_t>(which >> 8)};
+    return {hn::LoadMaskBits(TagF(), bytes)};
+#endif
+}
+inline constexpr std::uint32_t all_bits = (2u << (lanes - 1)) - 1;
 RELEVO_LANE Bools first_lanes(int n) { return {hn::FirstN(TagF(), static_cast<std::size_t>(n))}; }
 RELEVO_LANE Bools all_lanes() { return first_lanes(lanes); }
 RELEVO_LANE hn::Mask<TagI> int_mask(Bools a) { return hn::RebindMask(TagI(), a.m); }
@@ -115,6 +126,9 @@ RELEVO_LANE Bools operator<(Floats a, Floats b) { return {hn::Lt(a.v, b.v)}; }
 RELEVO_LANE Bools operator>=(Floats a, Floats b) { return {hn::Ge(a.v, b.v)}; }
 RELEVO_LANE Bools operator<=(Floats a, Floats b) { return {hn::Le(a.v, b.v)}; }
 RELEVO_LANE Bools operator==(Floats a, Floats b) { return {hn::Eq(a.v, b.v)}; }
+// The processor's own: b where one is not a number, and of two zeros b.
+RELEVO_LANE Floats greater(Floats a, Floats b) { return Floats(hn::Max(a.v, b.v)); }
+RELEVO_LANE Floats smaller(Floats a, Floats b) { return Floats(hn::Min(a.v, b.v)); }
 RELEVO_LANE Floats sqrt(Floats a) { return Floats(hn::Sqrt(a.v)); }
 RELEVO_LANE Floats floor(Floats a) { return Floats(hn::Floor(a.v)); }
 RELEVO_LANE Bools is_finite(Floats a) { return {hn::IsFinite(a.v)}; }
@@ -172,14 +186,24 @@ RELEVO_LANE Doubles operator/(Doubles a, Doubles b) {
     return {hn::Div(a.low, b.low), hn::Div(a.high, b.high)};
 }
 RELEVO_LANE Doubles round_to_even(Doubles a) { return {hn::Round(a.low), hn::Round(a.high)}; }
-RELEVO_LANE Doubles select(Bools mask, Doubles yes, Doubles no) {
-    // each lane's truth, twice as wide
-    const auto wide = hn::VecFromMask(TagI(), int_mask(mask));
+// A truth a lane, as wide as the lanes of Doubles.
+struct WideBools {
+    hn::Mask<TagD> low, high;
+};
+RELEVO_LANE WideBools widen(Bools a) {
+#if HWY_TARGET == HWY_AVX3
+    return {{static_cast<__mmask8>(a.m.raw)}, {static_cast<__mmask8>(a.m.raw >> 8)}};
+#else
+    const auto whole = hn::VecFromMask(TagI(), int_mask(a));
     const hn::ScalableTag<std::int64_t> tag;
-    const auto low = hn::MaskFromVec(hn::BitCast(TagD(), hn::PromoteTo(tag, hn::LowerHalf(wide))));
-    const auto high = hn::MaskFromVec(hn::BitCast(TagD(), hn::PromoteTo(tag, hn::UpperHalf(HalfI(), wide))));
-    return {hn::IfThenElse(low, yes.low, no.low), hn::IfThenElse(high, yes.high, no.high)};
+    return {hn::MaskFromVec(hn::BitCast(TagD(), hn::PromoteTo(tag, hn::LowerHalf(whole)))),
+            hn::MaskFromVec(hn::BitCast(TagD(), hn::PromoteTo(tag, hn::UpperHalf(HalfI(), whole))))};
+#endif
 }
+RELEVO_LANE Doubles select(const WideBools& mask, Doubles yes, Doubles no) {
+    return {hn::IfThenElse(mask.low, yes.low, no.low), hn::IfThenElse(mask.high, yes.high, no.high)};
+}
+RELEVO_LANE Doubles select(Bools mask, Doubles yes, Doubles no) { return select(widen(mask), yes, no); }
 // The upper 32 bits of each lane: sign, exponent and the first digits.
 RELEVO_LANE Ints upper_words(Doubles a) {
     return Ints(hn::ConcatOdd(TagI(), hn::BitCast(TagI(), a.high), hn::BitCast(TagI(), a.low)));
@@ -254,6 +278,9 @@ RELEVO_LANE Floats compress(Floats a, Bools mask) { return bits_float(compress(f
 RELEVO_LANE Floats load(const float* p) { return Floats(hn::LoadU(TagF(), p)); }
 RELEVO_LANE Ints load(const std::int32_t* p) { return Ints(hn::LoadU(TagI(), p)); }
 RELEVO_LANE Ints load(const std::uint32_t* p) { return Ints(hn::BitCast(TagI(), hn::LoadU(TagU(), p))); }
+RELEVO_LANE Doubles load(const double* p) {
+    return {hn::LoadU(TagD(), p), hn::LoadU(TagD(), p + lanes / 2)};
+}
 RELEVO_LANE void store(Floats a, float* p) { hn::StoreU(a.v, TagF(), p); }
 RELEVO_LANE void store(Ints a, std::int32_t* p) { hn::StoreU(a.v, TagI(), p); }
 RELEVO_LANE void store(Ints a, std::uint32_t* p) { hn::StoreU(hn::BitCast(TagU(), a.v), TagU(), p); }
@@ -283,6 +310,43 @@ RELEVO_LANE TexelOf<Floats> texel(const Texture& texture, Ints index) {
     const auto* words = reinterpret_cast<const std::uint32_t*>(texture.texels.data());
     const Words red_green = look_up(words, index + index), blue = look_up(words + 1, index + index);
     return {red_green & 0xffffu, red_green >> 16, blue & 0xffffu};
+}
+
+// Lanes as a block of pixels, 4 wide: lane k is pixel (k % 4, k / 4).
+inline constexpr int block_columns = 4, block_rows = lanes / block_columns;
+RELEVO_LANE Ints lane_columns() { return lane_numbers() & Ints(block_columns - 1); }
+RELEVO_LANE Ints lane_rows() { return Ints(hn::ShiftRight<2>(lane_numbers().v)); }
+// p: the block's first pixel, of rows of `stride`. The lambdas are generic so that each instruction set compiles
+// its own case alone.
+RELEVO_LANE Ints load_block(const std::uint32_t* p, int stride) {
+    const hn::Full128<std::int32_t> four;
+    const auto block = [&](auto y) RELEVO_INSIDE {
+        const auto row = [&](auto number) RELEVO_INSIDE {
+            return hn::LoadU(four, reinterpret_cast<const std::int32_t*>(p + number * stride));
+        };
+        if constexpr (lanes == 4) {
+            return row(y);
+        } else if constexpr (lanes == 8) {
+            return hn::Combine(TagI(), row(y + 1), row(y));
+        } else {
+            return hn::Combine(TagI(), hn::Combine(HalfI(), row(y + 3), row(y + 2)),
+                               hn::Combine(HalfI(), row(y + 1), row(y)));
+        }
+    };
+    return Ints(block(0));
+}
+RELEVO_LANE void store_block(Ints a, std::uint32_t* p, int stride) {
+    const hn::Full128<std::int32_t> four;
+    const auto rows = [&](auto self, auto of, int y) RELEVO_INSIDE {
+        if constexpr (sizeof(of) == 16) {
+            hn::StoreU(of, four, reinterpret_cast<std::int32_t*>(p + y * stride));
+        } else {
+            const hn::Half<hn::DFromV<decltype(of)>> half;
+            self(self, hn::LowerHalf(half, of), y);
+            self(self, hn::UpperHalf(half, of), y + static_cast<int>(sizeof(of)) / 32);
+        }
+    };
+    rows(rows, a.v, 0);
 }
 
 // f of each lane, one after the other: for the rare formula that is only written for one.

@@ -1,5 +1,7 @@
 // What a tile draws: the ids of its lists in drawing order, and the corners of these triangles side by side.
 #pragma once
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 
 #include "raster/fast/bins.hpp"
@@ -7,50 +9,38 @@
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
-// Reads the ids of a tile in drawing order: chunk after chunk, each list merged with the chunk's wide ones.
-class TileReader {
-  public:
-    RELEVO_LANE TileReader(const DrawState& draw, const Chunk* chunks, int chunk_count, int tile)
-        : draw_(draw), chunk_(chunks), end_(chunks + chunk_count), tile_(tile) {
-        open();
-    }
-    // Fills `ids` with at most `room` ids; 0 at the end.
-    RELEVO_LANE int read(std::uint32_t* ids, int room) {
-        int n = 0;
-        while (n < room && chunk_ != end_) {
-            if (listed_ == 0 && wide_ == chunk_->wide_count) {
-                ++chunk_;
-                open();
-                continue;
+// Writes the ids of a tile in drawing order: chunk after chunk, each list merged with the chunk's wide ones.
+// Returns their number; after the last there is room for `first_block` more.
+RELEVO_LANE int read_list(const DrawState& draw, const Chunk* chunks, int chunk_count, int tile,
+                          std::uint32_t* ids) {
+    std::uint32_t* end = ids;
+    for (const Chunk* chunk = chunks; chunk != chunks + chunk_count; ++chunk) {
+        const TileList& list = chunk->lists[tile];
+        // the listed ones stand behind room for the wide ones, which then come in between
+        const std::uint32_t* listed = end + chunk->wide_count;
+        std::uint32_t* to = end + chunk->wide_count;
+        const std::uint32_t* block = chunk->words + list.first;
+        std::uint32_t size = first_block;
+        for (std::uint32_t left = list.count; left > 0; size = later_block) {
+            const std::uint32_t taken = std::min(size - 1, left);
+            left -= taken;
+            const std::uint32_t* next = block;
+            if (left > 0) {
+                next = chunk->words + block[taken];
+                for (std::uint32_t k = 0; k < later_block; k += 16) hwy::Prefetch(next + k);
             }
-            if (wide_ < chunk_->wide_count &&
-                (listed_ == 0 || is_before(draw_, chunk_->wide[wide_], block_->ids[place_]))) {
-                ids[n++] = chunk_->wide[wide_++];
-                continue;
-            }
-            const std::uint32_t in_block = std::min(Block::capacity - place_, listed_);
-            const std::uint32_t taken =
-                wide_ < chunk_->wide_count ? 1 : std::min(in_block, static_cast<std::uint32_t>(room - n));
-            for (std::uint32_t k = 0; k < taken; ++k) ids[n++] = block_->ids[place_++];
-            listed_ -= taken;
-            if (place_ == Block::capacity && listed_ > 0) block_ = &chunk_->blocks[block_->next], place_ = 0;
+            for (std::uint32_t k = 0; k < taken; k += lanes) store(load(block + k), to + k);
+            to += taken;
+            block = next;
         }
-        return n;
+        for (std::uint32_t w = 0; w < chunk->wide_count; ++w) {
+            while (listed != to && !is_before(draw, chunk->wide[w], *listed)) *end++ = *listed++;
+            *end++ = chunk->wide[w];
+        }
+        end = to;
     }
-
-  private:
-    RELEVO_LANE void open() {
-        if (chunk_ == end_) return;
-        const TileList& list = chunk_->lists[tile_];
-        listed_ = list.count, wide_ = 0, place_ = 0;
-        if (listed_ > 0) block_ = &chunk_->blocks[list.first];
-    }
-    const DrawState& draw_;
-    const Chunk *chunk_, *end_;
-    int tile_;
-    const Block* block_ = nullptr;
-    std::uint32_t listed_ = 0, wide_ = 0, place_ = 0;
-};
+    return static_cast<int>(end - ids);
+}
 
 inline constexpr int cover_batch = 64;
 

@@ -3,8 +3,8 @@
 //
 //   ids -> corners in the window, canonical order -> edge values, 1 / w, and planes of what the corners carry
 //
-// The lanes are used at once where every pixel shows a triangle of its own (LaneSetup), or kept triangle by
-// triangle for the pixels to come (KeptSetup).
+// The lanes are used at once where every pixel shows a triangle of its own, or kept for the pixels to come
+// (kept_setups.hpp).
 #pragma once
 #include "raster/fast/corners.hpp"
 #include "raster/fast/draw_state.hpp"
@@ -18,9 +18,6 @@ namespace relevo::raster::fast::HWY_NAMESPACE {
 
 using pipeline::RgbOf;
 using pipeline::Vec3Of;
-
-// After a lambda's parameters: it becomes part of its caller, whatever its size.
-#define RELEVO_INSIDE __attribute__((always_inline))
 
 // ------------------------------------------------------------------------------------------------ loading
 // Four numbers of each lane, from a place of its own: 16 bytes at a time, then 4 x 4 transposes.
@@ -226,6 +223,34 @@ RELEVO_LANE LaneSetup<Program> set_up(const DrawState& draw, const ModelState& m
     return s;
 }
 
+// Calls visit(number of the model, its lanes, ids with one of the model's in every lane) for each model that
+// the lanes of `which` show.
+template <class Visit>
+RELEVO_LANE void for_each_model(const DrawState& draw, Ints id, std::uint32_t which, Visit&& visit) {
+    alignas(64) std::uint32_t ids[lanes], primitives[lanes];
+    store(id, ids);
+    const bool pieces = (bits(is_negative(id)) & which) != 0;
+    if (pieces) {
+        for (int k = 0; k < lanes; ++k) primitives[k] = which >> k & 1 ? primitive_of(draw, ids[k]) : 0;
+    } else {
+        store(id, primitives);
+    }
+    const Ints primitive = load(primitives);
+    while (which != 0) {
+        const int first = std::countr_zero(which);
+        const std::uint32_t number = draw.models.size() == 1 ? 0 : model_of(draw, primitives[first]);
+        const ModelState& model = draw.models[number];
+        const auto whole = [](std::uint32_t x) RELEVO_INSIDE { return Ints(static_cast<std::int32_t>(x)); };
+        const Bools before = primitive < whole(model.first_primitive),
+                    inside = primitive < whole(model.first_primitive + model.triangles) && !before;
+        const Bools mine = inside && from_bits(which);
+        visit(number, bits(mine),
+              LaneIds{select(mine, id, whole(ids[first])), select(mine, primitive, whole(primitives[first])),
+                      pieces});
+        which &= ~bits(mine);
+    }
+}
+
 // Edge values at the centres of the pixels (x, y).
 template <class Program>
 RELEVO_LANE EdgeValuesOf<Floats> edge_values(const LaneSetup<Program>& s, Ints x, Ints y) {
@@ -235,88 +260,6 @@ RELEVO_LANE EdgeValuesOf<Floats> edge_values(const LaneSetup<Program>& s, Ints x
     const Doubles e1 = (px * s.dy2 - py * s.dx2) + positive_zero,
                   e2 = (s.dx1 * py - s.dy1 * px) + positive_zero;
     return {s.area - e1 - e2, e1, e2};
-}
-
-// ------------------------------------------------------------------------------------------------ stored
-// One triangle: its edge values as planes over the pixels of the picture, exact (below 2^50).
-//
-//   E_k (x, y) = e[k] + x across[k] + y down[k]
-struct KeptSetup {
-    RELEVO_LANE pipeline::Reflection reflection() const {
-        return {{face[0], face[1], face[2]}, {face[3], face[4], face[5]}};
-    }
-    RELEVO_LANE LinearRgb rgb() const { return {color[0], color[1], color[2]}; }
-
-    double e[3], across[3], down[3], rw[3];
-    Scalar a0[max_carried], d1[max_carried], d2[max_carried];
-    Scalar face[6];                          // amount, gloss
-    Scalar color[3];                         // of the programs that carry nothing: every pixel has it
-    std::uint32_t packed, one_color, model;  // one_color: 1 where they count
-};
-
-// Lane k to *to[k], for the lanes of `which`.
-template <class Program>
-RELEVO_LANE void store_setups(const DrawState& draw, std::uint32_t model_number, const LaneSetup<Program>& s,
-                              std::uint32_t which, KeptSetup* const (&to)[lanes]) {
-    constexpr std::size_t size = Program::size;
-    if constexpr (size == 0) {
-        const RgbOf<Floats> c =
-            Program::template pixel<Floats>(draw.models[model_number].setup.surface, s.face, nullptr);
-        alignas(64) float rgb[3][lanes];
-        alignas(64) std::uint32_t packed[lanes];
-        store(c.r, rgb[0]), store(c.g, rgb[1]), store(c.b, rgb[2]);
-        store(to_whole(packed_rgba8(c, draw.settings.output)), packed);
-        for (std::uint32_t rest = which; rest != 0; rest &= rest - 1) {
-            const int k = std::countr_zero(rest);
-            for (int j = 0; j < 3; ++j) to[k]->color[j] = rgb[j][k];
-            to[k]->packed = packed[k];
-            to[k]->one_color = 1;
-            to[k]->model = model_number;
-        }
-    } else {
-        const EdgeValuesOf<Floats> e = edge_values(s, Ints(0), Ints(0));
-        const Doubles across1 = s.dy2 * Doubles(256.0), across2 = s.dy1 * Doubles(-256.0),
-                      down1 = s.dx2 * Doubles(-256.0), down2 = s.dx1 * Doubles(256.0), none(0.0);
-        const Doubles wide[12] = {e.e0,
-                                  e.e1,
-                                  e.e2,
-                                  none - across1 - across2,
-                                  across1,
-                                  across2,
-                                  none - down1 - down2,
-                                  down1,
-                                  down2,
-                                  to_wide(s.rw0),
-                                  to_wide(s.rw1),
-                                  to_wide(s.rw2)};
-        alignas(64) double numbers[12][lanes];
-        for (int j = 0; j < 12; ++j) store(wide[j], numbers[j]);
-        alignas(64) float carried[3][size][lanes], face[6][lanes];
-        for (std::size_t j = 0; j < size; ++j) {
-            const VaryingPlane<1, Floats> plane = s.plane(j);
-            store(plane.a0[0], carried[0][j]);
-            store(plane.d1[0], carried[1][j]);
-            store(plane.d2[0], carried[2][j]);
-        }
-        if constexpr (Program::needs_face) {
-            store(s.face.amount.r, face[0]), store(s.face.amount.g, face[1]), store(s.face.amount.b, face[2]);
-            store(s.face.gloss.r, face[3]), store(s.face.gloss.g, face[4]), store(s.face.gloss.b, face[5]);
-        }
-        for (std::uint32_t rest = which; rest != 0; rest &= rest - 1) {
-            const int k = std::countr_zero(rest);
-            KeptSetup& t = *to[k];
-            for (int j = 0; j < 3; ++j) {
-                t.e[j] = numbers[j][k], t.across[j] = numbers[3 + j][k];
-                t.down[j] = numbers[6 + j][k], t.rw[j] = numbers[9 + j][k];
-            }
-            for (std::size_t j = 0; j < size; ++j)
-                t.a0[j] = carried[0][j][k], t.d1[j] = carried[1][j][k], t.d2[j] = carried[2][j][k];
-            if constexpr (Program::needs_face)
-                for (int j = 0; j < 6; ++j) t.face[j] = face[j][k];
-            t.one_color = 0;
-            t.model = model_number;
-        }
-    }
 }
 
 }  // namespace relevo::raster::fast::HWY_NAMESPACE

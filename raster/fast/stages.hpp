@@ -1,5 +1,6 @@
 // One instruction set's stages, as the driver (draw_fast.cpp) calls them.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 
 #include "raster/fast/bins.hpp"
@@ -10,9 +11,10 @@ namespace relevo::raster::fast {
 // The memory of one worker for one tile at a time.
 struct TileScratch {
     TileMemory tile;
-    std::uint32_t* ids = nullptr;  // room for tile_batch ids
+    std::uint32_t* ids = nullptr;  // the tile's list; room for first_block ids more
+    std::byte* kept = nullptr;     // set-ups of triangles for shading, kept_bytes
 };
-inline constexpr int tile_batch = 1024;
+inline constexpr std::size_t kept_bytes = std::size_t{1} << 20;
 
 struct Stages {
     // Vertices first..last-1 of a model, `first` a multiple of 16: window and carried numbers.

@@ -33,9 +33,9 @@ namespace relevo::raster::fast::HWY_NAMESPACE {
     const TileBox box{x0, y0, std::min(draw.tile, draw.viewport.width - x0),
                       std::min(draw.tile, draw.viewport.height - y0)};
     std::uint64_t shaded = 0;
-    if (cover_tile(draw, chunks, chunk_count, scratch, number, box)) {
-        shaded = shade_tile(draw, scratch.tile, box);
-        write_tile(draw, scratch.tile, box);
+    if (const int listed = cover_tile(draw, chunks, chunk_count, scratch, number, box); listed > 0) {
+        shaded = shade_tile(draw, scratch, listed, box);
+        write_tile(draw, scratch, box);
     } else {
         write_empty_tile(draw, box);
     }

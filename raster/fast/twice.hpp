@@ -43,6 +43,8 @@ using Floats2 = Twice<Floats>;
 
 RELEVO_LANE bool any(Twice<Bools> x) { return any(x.a || x.b); }
 RELEVO_LANE bool all(Twice<Bools> x) { return all(x.a && x.b); }
+RELEVO_LANE Floats2 greater(Floats2 x, Floats2 y) { return {greater(x.a, y.a), greater(x.b, y.b)}; }
+RELEVO_LANE Floats2 smaller(Floats2 x, Floats2 y) { return {smaller(x.a, y.a), smaller(x.b, y.b)}; }
 RELEVO_LANE Floats2 sqrt(Floats2 x) { return {sqrt(x.a), sqrt(x.b)}; }
 RELEVO_LANE Floats2 floor(Floats2 x) { return {floor(x.a), floor(x.b)}; }
 RELEVO_LANE Twice<Ints> truncated(Floats2 x) { return {truncated(x.a), truncated(x.b)}; }
@@ -55,6 +57,9 @@ RELEVO_LANE Twice<Ints> to_whole(Twice<Words> x) { return {to_whole(x.a), to_who
 RELEVO_LANE Twice<Words> look_up(const std::uint32_t* table, Twice<Ints> index) {
     return {look_up(table, index.a), look_up(table, index.b)};
 }
+
+RELEVO_LANE Twice<Doubles> to_wide(Twice<Doubles> x) { return x; }
+RELEVO_LANE Floats2 rounded(Twice<Doubles> x) { return {rounded(x.a), rounded(x.b)}; }
 
 template <class F>
 RELEVO_LANE Floats2 each_lane(F&& f, Floats2 x) {

@@ -28,7 +28,8 @@ RELEVO_LANE void write_row(std::uint32_t* to, int count, Value&& value) {
     for (; k < count; k += lanes) part(k, count - k < lanes ? count - k : lanes);
 }
 
-RELEVO_LANE void write_tile(const DrawState& draw, const TileMemory& tile, const TileBox& box) {
+RELEVO_LANE void write_tile(const DrawState& draw, const TileScratch& scratch, const TileBox& box) {
+    const TileMemory& tile = scratch.tile;
     const Nearness nearness{Ints(draw.settings.depth == DepthFormat::Float32Reversed ? 0 : INT32_MIN)};
     for (int y = 0; y < box.height; ++y) {
         const std::size_t at =
@@ -40,8 +41,9 @@ RELEVO_LANE void write_tile(const DrawState& draw, const TileMemory& tile, const
                   [&](int k) { return float_bits(nearness(load(tile.nearness + from + k))); });
         if (draw.visible != nullptr)
             for (int x = 0; x < box.width; ++x) {
-                const std::uint32_t id = tile.visible[from + x];
-                draw.visible[at + std::size_t(x)] = id == nothing ? nothing : primitive_of(draw, id);
+                const std::uint32_t number = tile.visible[from + x];
+                draw.visible[at + std::size_t(x)] =
+                    number == nothing ? nothing : primitive_of(draw, scratch.ids[number]);
             }
     }
 }

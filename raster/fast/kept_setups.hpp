@@ -1,0 +1,80 @@
+// The set-ups of a tile's triangles that shading keeps: N triangles that follow each other in the tile's list
+// are set up together when the first of them is seen.
+//
+//   groups[g % slots]   of the triangles N g .. N g + N - 1: a row for each number, a column a triangle
+//   tag[g % slots]      g: whose numbers stand there
+//
+// Edge values are planes over the pixels of the tile, exact (below 2^50):
+//   E_k (x, y) = e_k + x across_k + y down_k     k = 1, 2          E_0 = area - E_1 - E_2
+#pragma once
+#include "raster/fast/shade_setup.hpp"
+#include "raster/fast/stages.hpp"
+
+namespace relevo::raster::fast::HWY_NAMESPACE {
+
+struct SetupGroup {
+    double e1[lanes], across1[lanes], down1[lanes], e2[lanes], across2[lanes], down2[lanes], area[lanes];
+    double rw[3][lanes];
+    float plane[max_carried][3][lanes];      // a0, d1, d2 of each number that is carried
+    float face[6][lanes];                    // amount, gloss
+    float color[3][lanes];                   // where nothing is carried: of every pixel
+    std::uint32_t packed[lanes], model[lanes];
+};
+
+struct KeptSetups {
+    static constexpr std::uint32_t slots = 2048 / lanes, none = 0xffffffffu;
+    SetupGroup* groups;
+    std::uint32_t tag[slots];
+
+    RELEVO_LANE explicit KeptSetups(std::byte* memory) : groups(reinterpret_cast<SetupGroup*>(memory)) {
+        static_assert(slots * sizeof(SetupGroup) <= kept_bytes);
+        for (std::uint32_t k = 0; k < slots; k += lanes) store(Ints(-1), tag + k);
+    }
+    RELEVO_LANE bool holds(std::uint32_t group) const { return tag[group % slots] == group; }
+};
+
+// A triangle in its group.
+struct KeptSetup {
+    const SetupGroup* group;
+    std::uint32_t column;
+};
+
+// The lanes of `which` of a group, triangles of one model.
+template <class Program>
+RELEVO_LANE void keep(const DrawState& draw, std::uint32_t model, const LaneSetup<Program>& s, int x0, int y0,
+                      std::uint32_t which, SetupGroup& to) {
+    const Bools mask = from_bits(which);
+    const auto put = [&](Floats value, float* row) RELEVO_INSIDE { store(select(mask, value, load(row)), row); };
+    const auto put_words = [&](Ints value, std::uint32_t* row) RELEVO_INSIDE {
+        store(select(mask, value, load(row)), row);
+    };
+    const auto put_wide = [&](Doubles value, double* row) RELEVO_INSIDE {
+        store(select(mask, value, load(row)), row);
+    };
+    put_words(Ints(static_cast<std::int32_t>(model)), to.model);
+    if constexpr (Program::size == 0) {
+        const RgbOf<Floats> c =
+            Program::template pixel<Floats>(draw.models[model].setup.surface, s.face, nullptr);
+        put(c.r, to.color[0]), put(c.g, to.color[1]), put(c.b, to.color[2]);
+        put_words(to_whole(packed_rgba8(c, draw.settings.output)), to.packed);
+    } else {
+        const EdgeValuesOf<Floats> e = edge_values(s, Ints(x0), Ints(y0));
+        put_wide(e.e1, to.e1), put_wide(e.e2, to.e2), put_wide(s.area, to.area);
+        put_wide(s.dy2 * Doubles(256.0), to.across1), put_wide(s.dy1 * Doubles(-256.0), to.across2);
+        put_wide(s.dx2 * Doubles(-256.0), to.down1), put_wide(s.dx1 * Doubles(256.0), to.down2);
+        put_wide(to_wide(s.rw0), to.rw[0]), put_wide(to_wide(s.rw1), to.rw[1]);
+        put_wide(to_wide(s.rw2), to.rw[2]);
+        for (std::size_t j = 0; j < Program::size; ++j) {
+            const VaryingPlane<1, Floats> plane = s.plane(j);
+            put(plane.a0[0], to.plane[j][0]), put(plane.d1[0], to.plane[j][1]);
+            put(plane.d2[0], to.plane[j][2]);
+        }
+        if constexpr (Program::needs_face) {
+            put(s.face.amount.r, to.face[0]), put(s.face.amount.g, to.face[1]);
+            put(s.face.amount.b, to.face[2]);
+            put(s.face.gloss.r, to.face[3]), put(s.face.gloss.g, to.face[4]), put(s.face.gloss.b, to.face[5]);
+        }
+    }
+}
+
+}  // namespace relevo::raster::fast::HWY_NAMESPACE
