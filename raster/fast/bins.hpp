@@ -16,7 +16,7 @@ namespace relevo::raster::fast {
 inline constexpr std::uint32_t first_block = 16, later_block = 64;
 
 struct TileList {
-    std::uint32_t first = 0, end = 0;  // words: the first block; where the next id, or the link, goes
+    std::uint32_t first = 0, end = 0;   // words: the first block; where the next id, or the link, goes
     std::uint32_t room = 0, count = 0;  // ids: that fit into the last block; in all
 };
 
@@ -42,7 +42,8 @@ void clip_into_bins(const DrawState& draw, Chunk& chunk, const ModelState& model
     TileList& list = chunk.lists[tile];
     if (list.room == 0) {
         const std::uint32_t size = list.count == 0 ? first_block : later_block;
-        if (chunk.word_count + size > chunk.word_capacity && !grow_words(chunk)) return append_wide(chunk, id);
+        if (chunk.word_count + size > chunk.word_capacity && !grow_words(chunk))
+            return append_wide(chunk, id);
         (list.count == 0 ? list.first : chunk.words[list.end]) = chunk.word_count;
         list.end = chunk.word_count, list.room = size - 1;
         chunk.word_count += size;

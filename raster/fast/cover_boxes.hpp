@@ -19,9 +19,9 @@ struct BoxWalk {
     Ints columns, rows;
 };
 
-RELEVO_LANE void cover_boxes(const TileMemory& tile, const BoxWalk& walk,
-                             const InterpolatorOf<Floats>& plane, const Nearness& nearness,
-                             std::uint32_t first_number, int most_columns, int most_rows) {
+RELEVO_LANE void cover_boxes(const TileMemory& tile, const BoxWalk& walk, const InterpolatorOf<Floats>& plane,
+                             const Nearness& nearness, std::uint32_t first_number, int most_columns,
+                             int most_rows) {
     struct {
         alignas(64) float nearness[(most_walked + 1) * lanes];
         std::uint32_t place[(most_walked + 1) * lanes];  // and the lane above bit 16
@@ -55,7 +55,8 @@ RELEVO_LANE void cover_boxes(const TileMemory& tile, const BoxWalk& walk,
         const float near = fragments.nearness[k];
         float& stored = tile.nearness[place];
         std::uint32_t& seen = tile.visible[place];
-        if (near > stored || (near == stored && number < seen && seen != nothing)) stored = near, seen = number;
+        if (near > stored || (near == stored && number < seen && seen != nothing))
+            stored = near, seen = number;
     }
 }
 

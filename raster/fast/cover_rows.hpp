@@ -5,19 +5,10 @@
 // box.
 #pragma once
 #include "raster/fast/corners.hpp"
+#include "raster/fast/write_tile.hpp"
 #include "raster/interpolate.hpp"
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
-
-struct TileBox {
-    int x0, y0, width, height;  // pixels of the picture
-};
-
-// How depths compare: forward depths turn their sign, so that greater is nearer.
-struct Nearness {
-    Ints flip;
-    RELEVO_LANE Floats operator()(Floats z) const { return bits_float(float_bits(z) ^ flip); }
-};
 
 // The set-up of N triangles, for the rows of one of them to read.
 struct StoredSetup {

@@ -17,9 +17,11 @@ namespace relevo::raster::fast::HWY_NAMESPACE {
 RELEVO_LANE Ints bias_of(Ints dx, Ints dy) { return select(is_top_left(dx, dy), Ints(0), Ints(1)); }
 
 // N triangles of the tile, corners staged side by side.
-RELEVO_LANE void cover_group(const Nearness& nearness, const TileMemory& tile, const TileBox& box,
+RELEVO_LANE void cover_group(const DrawState& draw, TileScratch& scratch, const TileBox& box,
                              const SnappedCorner* corner0, const SnappedCorner* corner1,
                              const SnappedCorner* corner2, std::uint32_t first_number, int count_in_group) {
+    const TileMemory& tile = scratch.tile;
+    const Nearness nearness = nearness_of(draw);
     const auto [c0, c1, c2] =
         canonical_order(load_corners(corner0), load_corners(corner1), load_corners(corner2));
     const auto triangle = make_triangle<Floats>(c0, c1, c2);
@@ -38,6 +40,7 @@ RELEVO_LANE void cover_group(const Nearness& nearness, const TileMemory& tile, c
     const Ints bias0 = bias_of(dx2 - dx1, dy2 - dy1), bias1 = bias_of(Ints(0) - dx2, Ints(0) - dy2),
                bias2 = bias_of(dx1, dy1);
 
+    write_background_row(draw, scratch.background);
     const std::uint32_t valid_bits = bits(valid);
     if (valid_bits == 0) return;
     const Ints columns = select(valid, x1 - x0 + Ints(1), Ints(0)),
@@ -72,20 +75,20 @@ RELEVO_LANE void cover_group(const Nearness& nearness, const TileMemory& tile, c
     const std::uint32_t small_bits = bits(small);
     for (std::uint32_t rest = valid_bits; rest != 0; rest &= rest - 1) {
         const int k = std::countr_zero(rest);
-        cover_triangle(s, k, small_bits >> k & 1, first_number + static_cast<std::uint32_t>(k), nearness, tile);
+        write_background_row(draw, scratch.background);
+        cover_triangle(s, k, small_bits >> k & 1, first_number + static_cast<std::uint32_t>(k), nearness,
+                       tile);
     }
 }
 
 // Draws the tile's triangles into its memory. Returns their number; when it is 0, the memory is untouched.
-RELEVO_LANE int cover_tile(const DrawState& draw, const Chunk* chunks, int chunk_count,
-                           const TileScratch& scratch, int tile_number, const TileBox& box) {
+RELEVO_LANE int cover_tile(const DrawState& draw, const Chunk* chunks, int chunk_count, TileScratch& scratch,
+                           int tile_number, const TileBox& box) {
     const TileMemory& tile = scratch.tile;
     const int listed = read_list(draw, chunks, chunk_count, tile_number, scratch.ids);
     if (listed == 0) return 0;
 
-    const bool reversed = draw.settings.depth == DepthFormat::Float32Reversed;
-    const Nearness nearness{Ints(reversed ? 0 : INT32_MIN)};
-    const Floats cleared(reversed ? 0.f : -1.f);
+    const Floats cleared(draw.settings.depth == DepthFormat::Float32Reversed ? 0.f : -1.f);
     const int rows = (box.height + block_rows - 1) / block_rows * block_rows;
     for (int k = 0; k < rows * tile.stride; k += lanes) {
         store(cleared, tile.nearness + k);
@@ -96,7 +99,7 @@ RELEVO_LANE int cover_tile(const DrawState& draw, const Chunk* chunks, int chunk
         const int n = listed - first < cover_batch ? listed - first : cover_batch;
         stage_corners(draw, scratch.ids + first, n, staged);
         for (int k = 0; k < n; k += lanes)
-            cover_group(nearness, tile, box, &staged[0][k], &staged[1][k], &staged[2][k],
+            cover_group(draw, scratch, box, &staged[0][k], &staged[1][k], &staged[2][k],
                         static_cast<std::uint32_t>(first + k), n - k < lanes ? n - k : lanes);
     }
     return listed;

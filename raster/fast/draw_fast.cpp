@@ -85,6 +85,7 @@ struct Workspace::Memory {
     std::vector<Chunk> chunk_states;
     std::vector<std::span<const Piece>> pieces;
     std::vector<pipeline::EyeLight> lights;
+    std::vector<int> touched, empty;  // tiles
 };
 
 Workspace::Workspace() : memory_(std::make_unique<Memory>()) {}
@@ -100,7 +101,8 @@ std::size_t Workspace::bytes() const {
     for (const WorkerMemory& w : memory_->workers)
         sum += w.nearness.bytes() + w.visible.bytes() + w.color.bytes() + w.ids.bytes() + w.kept.bytes();
     return sum + bytes_of(memory_->models) + bytes_of(memory_->chunks) + bytes_of(memory_->workers) +
-           bytes_of(memory_->states) + bytes_of(memory_->chunk_states) + bytes_of(memory_->pieces);
+           bytes_of(memory_->touched) + bytes_of(memory_->empty) + bytes_of(memory_->states) +
+           bytes_of(memory_->chunk_states) + bytes_of(memory_->pieces);
 }
 
 std::string_view name(InstructionSet set) {
@@ -349,16 +351,35 @@ class FastDraw {
         if (memory_.workers.size() < std::size_t(workers())) memory_.workers.resize(std::size_t(workers()));
         for (WorkerMemory& worker : memory_.workers) {
             worker.scratch = {{stride, worker.nearness.room_for(pixels), worker.visible.room_for(pixels),
-                               worker.color.room_for(pixels)},
-                              nullptr, worker.kept.room_for(kept_bytes)};
+                               worker.color.room_for(4 * std::size_t(stride) + 16)},
+                              nullptr,
+                              worker.kept.room_for(kept_bytes),
+                              {}};
             worker.shaded_pixels = 0;
         }
-        each(draw_.tiles_across * draw_.tiles_down, [&](int tile, int w) {
-            WorkerMemory& worker = memory_.workers[std::size_t(w)];
-            std::size_t listed = 0;
+        const auto listed_in = [&](int tile) {
+            std::size_t sum = 0;
             for (const Chunk& chunk : memory_.chunk_states)
-                listed += std::size_t{chunk.lists[tile].count} + chunk.wide_count;
-            worker.scratch.ids = worker.ids.room_for(listed + first_block);
+                sum += std::size_t{chunk.lists[tile].count} + chunk.wide_count;
+            return sum;
+        };
+        // touched tiles, each with some of the others to write meanwhile; then what is left of these
+        std::vector<int>&touched = memory_.touched, &empty = memory_.empty;
+        touched.clear(), empty.clear();
+        for (int tile = 0; tile < draw_.tiles_across * draw_.tiles_down; ++tile)
+            (listed_in(tile) > 0 ? touched : empty).push_back(tile);
+        const std::size_t items = touched.size(), shared = std::min(empty.size(), 4 * items);
+        each(static_cast<int>(items + empty.size() - shared), [&](int item, int w) {
+            WorkerMemory& worker = memory_.workers[std::size_t(w)];
+            const std::size_t k = std::size_t(item);
+            const int tile = k < items ? touched[k] : empty[shared + (k - items)];
+            worker.scratch.ids = worker.ids.room_for(listed_in(tile) + first_block);
+            if (k < items) {
+                const std::size_t first = shared * k / items, last = shared * (k + 1) / items;
+                worker.scratch.background = {empty.data() + first, static_cast<int>(last - first)};
+            } else {
+                worker.scratch.background = {&empty[shared + (k - items)], 1};
+            }
             worker.shaded_pixels += stages_.draw_tile(draw_, memory_.chunk_states.data(),
                                                       static_cast<int>(chunk_count_), worker.scratch, tile);
         });

@@ -96,7 +96,7 @@ inline std::uint32_t model_of(const DrawState& draw, std::uint32_t primitive) {
 //
 //   nearness  of each pixel: its depth, with the sign turned when forward depth is drawn: greater is nearer
 //   visible   of each pixel: the triangle that is seen, by its place in the tile's list
-//   color     of each pixel: filled by shading
+//   color     of each pixel of the few rows that are being shaded
 struct TileMemory {
     int stride = 0;
     Scalar* nearness = nullptr;

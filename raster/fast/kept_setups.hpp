@@ -15,9 +15,9 @@ namespace relevo::raster::fast::HWY_NAMESPACE {
 struct SetupGroup {
     double e1[lanes], across1[lanes], down1[lanes], e2[lanes], across2[lanes], down2[lanes], area[lanes];
     double rw[3][lanes];
-    float plane[max_carried][3][lanes];      // a0, d1, d2 of each number that is carried
-    float face[6][lanes];                    // amount, gloss
-    float color[3][lanes];                   // where nothing is carried: of every pixel
+    float plane[max_carried][3][lanes];  // a0, d1, d2 of each number that is carried
+    float face[6][lanes];                // amount, gloss
+    float color[3][lanes];               // where nothing is carried: of every pixel
     std::uint32_t packed[lanes], model[lanes];
 };
 
@@ -44,13 +44,12 @@ template <class Program>
 RELEVO_LANE void keep(const DrawState& draw, std::uint32_t model, const LaneSetup<Program>& s, int x0, int y0,
                       std::uint32_t which, SetupGroup& to) {
     const Bools mask = from_bits(which);
-    const auto put = [&](Floats value, float* row) RELEVO_INSIDE { store(select(mask, value, load(row)), row); };
-    const auto put_words = [&](Ints value, std::uint32_t* row) RELEVO_INSIDE {
-        store(select(mask, value, load(row)), row);
-    };
-    const auto put_wide = [&](Doubles value, double* row) RELEVO_INSIDE {
-        store(select(mask, value, load(row)), row);
-    };
+    const auto put = [&](Floats value, float* row)
+                         RELEVO_INSIDE { store(select(mask, value, load(row)), row); };
+    const auto put_words = [&](Ints value, std::uint32_t* row)
+                               RELEVO_INSIDE { store(select(mask, value, load(row)), row); };
+    const auto put_wide = [&](Doubles value, double* row)
+                              RELEVO_INSIDE { store(select(mask, value, load(row)), row); };
     put_words(Ints(static_cast<std::int32_t>(model)), to.model);
     if constexpr (Program::size == 0) {
         const RgbOf<Floats> c =

@@ -278,9 +278,7 @@ RELEVO_LANE Floats compress(Floats a, Bools mask) { return bits_float(compress(f
 RELEVO_LANE Floats load(const float* p) { return Floats(hn::LoadU(TagF(), p)); }
 RELEVO_LANE Ints load(const std::int32_t* p) { return Ints(hn::LoadU(TagI(), p)); }
 RELEVO_LANE Ints load(const std::uint32_t* p) { return Ints(hn::BitCast(TagI(), hn::LoadU(TagU(), p))); }
-RELEVO_LANE Doubles load(const double* p) {
-    return {hn::LoadU(TagD(), p), hn::LoadU(TagD(), p + lanes / 2)};
-}
+RELEVO_LANE Doubles load(const double* p) { return {hn::LoadU(TagD(), p), hn::LoadU(TagD(), p + lanes / 2)}; }
 RELEVO_LANE void store(Floats a, float* p) { hn::StoreU(a.v, TagF(), p); }
 RELEVO_LANE void store(Ints a, std::int32_t* p) { hn::StoreU(a.v, TagI(), p); }
 RELEVO_LANE void store(Ints a, std::uint32_t* p) { hn::StoreU(hn::BitCast(TagU(), a.v), TagU(), p); }
@@ -316,8 +314,8 @@ RELEVO_LANE TexelOf<Floats> texel(const Texture& texture, Ints index) {
 inline constexpr int block_columns = 4, block_rows = lanes / block_columns;
 RELEVO_LANE Ints lane_columns() { return lane_numbers() & Ints(block_columns - 1); }
 RELEVO_LANE Ints lane_rows() { return Ints(hn::ShiftRight<2>(lane_numbers().v)); }
-// p: the block's first pixel, of rows of `stride`. The lambdas are generic so that each instruction set compiles
-// its own case alone.
+// p: the block's first pixel, of rows of `stride`. The lambdas are generic so that each instruction set
+// compiles its own case alone.
 RELEVO_LANE Ints load_block(const std::uint32_t* p, int stride) {
     const hn::Full128<std::int32_t> four;
     const auto block = [&](auto y) RELEVO_INSIDE {

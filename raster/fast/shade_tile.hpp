@@ -5,13 +5,15 @@
 //
 // A block is one of three kinds, by the different triangles in it:
 //   none   background
-//   few    up to `most_seen`: each hands its kept numbers (kept_setups.hpp) to its own lanes; then edge values,
+//   few    up to `most_seen`: each hands its kept numbers (kept_setups.hpp) to its own lanes; then edge
+//   values,
 //          weights, light, texture and output run once for the whole block
 //   many   (tiny triangles) every lane sets up its own triangle
 #pragma once
 #include "raster/fast/cover_tile.hpp"
 #include "raster/fast/kept_setups.hpp"
 #include "raster/fast/twice.hpp"
+#include "raster/fast/write_tile.hpp"
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
@@ -27,7 +29,7 @@ RELEVO_LANE void with_texture(const ModelState& model, Use&& use) {
 // The tile at hand.
 struct TileAt {
     const DrawState& draw;
-    const TileScratch& scratch;
+    TileScratch& scratch;
     int listed;  // ids
     const TileBox& box;
 };
@@ -58,7 +60,7 @@ RELEVO_LANE pipeline::LinearRgb* linear_at(const TileAt& at, int row, int column
 RELEVO_LANE void write_block(const TileAt& at, Words packed, const RgbOf<Floats>& c, std::uint32_t which,
                              int row, int column) {
     const TileMemory& tile = at.scratch.tile;
-    std::uint32_t* to = tile.color + row * tile.stride + column;
+    std::uint32_t* to = tile.color + row % block_rows * tile.stride + column;
     Ints colors = to_whole(packed);
     if (which != all_bits) colors = select(from_bits(which), colors, load_block(to, tile.stride));
     store_block(colors, to, tile.stride);
@@ -66,8 +68,8 @@ RELEVO_LANE void write_block(const TileAt& at, Words packed, const RgbOf<Floats>
 }
 RELEVO_LANE void write_background(const TileAt& at, int row, int column) {
     const TileMemory& tile = at.scratch.tile;
-    store_block(Ints(std::bit_cast<std::int32_t>(at.draw.background8)), tile.color + row * tile.stride + column,
-                tile.stride);
+    store_block(Ints(std::bit_cast<std::int32_t>(at.draw.background8)),
+                tile.color + row % block_rows * tile.stride + column, tile.stride);
     if (at.draw.linear == nullptr) return;
     for (int y = row; y < at.box.height && y < row + block_rows; ++y)
         for (int x = column; x < at.box.width && x < column + block_columns; ++x)
@@ -195,7 +197,8 @@ struct Seen {
 
 RELEVO_LANE std::uint32_t number_in(const TileAt& at, const BlockAt& block, int lane) {
     const TileMemory& tile = at.scratch.tile;
-    return tile.visible[(block.row + lane / block_columns) * tile.stride + block.column + lane % block_columns];
+    return tile
+        .visible[(block.row + lane / block_columns) * tile.stride + block.column + lane % block_columns];
 }
 // False when there are too many.
 RELEVO_LANE bool find_seen(const TileAt& at, const BlockAt& block, Seen& seen) {
@@ -261,8 +264,7 @@ RELEVO_LANE CarriedPlanes<Program> carried_planes(const KeptSetup& t) {
     const std::uint32_t k = t.column;
     CarriedPlanes<Program> c;
     for (std::size_t j = 0; j < Program::size; ++j)
-        c.plane.a0[j] = g.plane[j][0][k], c.plane.d1[j] = g.plane[j][1][k],
-        c.plane.d2[j] = g.plane[j][2][k];
+        c.plane.a0[j] = g.plane[j][0][k], c.plane.d1[j] = g.plane[j][1][k], c.plane.d2[j] = g.plane[j][2][k];
     if constexpr (Program::needs_face)
         c.face = {{g.face[0][k], g.face[1][k], g.face[2][k]}, {g.face[3][k], g.face[4][k], g.face[5][k]}};
     return c;
@@ -389,8 +391,8 @@ template <template <bool> class Program>
     for (int row = 0; row < at.box.height; row += block_rows) {
         const Doubles y = to_wide(Ints(row) + lane_rows());
         Doubles x = to_wide(lane_columns());
-        for (int column = 0; column < at.box.width;
-             column += block_columns, x = x + Doubles(block_columns)) {
+        for (int column = 0; column < at.box.width; column += block_columns, x = x + Doubles(block_columns)) {
+            write_background_row(at.draw, at.scratch.background);
             const std::uint32_t* visible = tile.visible + row * tile.stride + column;
             const Ints numbers = load_block(visible, tile.stride);
             const std::uint32_t first = *visible;
@@ -418,37 +420,42 @@ template <template <bool> class Program>
             if (!shade_few<Program>(at, kept, waiting, block)) shade_many<Program>(at, waiting, block);
             last = nothing;  // its set-up may have been replaced
         }
+        if (waiting.count > 0) light_blocks<Program>(at, waiting);
+        for (int y = row; y < row + block_rows && y < at.box.height; ++y)
+            write_tile_row(at.draw, at.scratch, at.box, y, [&](int k) RELEVO_INSIDE {
+                return load(tile.color + (y - row) * tile.stride + k);
+            });
     }
-    if (waiting.count > 0) light_blocks<Program>(at, waiting);
     return shaded;
 }
 
 // Everything is of one colour: which triangle a pixel shows does not matter.
-RELEVO_LANE std::uint64_t shade_one_color(const DrawState& draw, const TileMemory& tile, const TileBox& box) {
+RELEVO_LANE std::uint64_t shade_one_color(const TileAt& at) {
+    const DrawState& draw = at.draw;
     const Ints background(std::bit_cast<std::int32_t>(draw.background8));
     const RgbOf<Floats> color = draw.models[0].setup.surface.color;
     const Ints packed = to_whole(packed_rgba8<Floats>(color, draw.settings.output));
     std::uint64_t shaded = 0;
-    for (int row = 0; row < box.height; ++row) {
-        const std::uint32_t* visible = tile.visible + row * tile.stride;
-        for (int x = 0; x < box.width; x += lanes) {
-            const Bools covered = !(load(visible + x) == Ints(-1));
-            store(select(covered, packed, background), tile.color + row * tile.stride + x);
-            shaded += static_cast<unsigned>(count(covered));
-        }
+    for (int row = 0; row < at.box.height; ++row) {
+        const std::uint32_t* visible = at.scratch.tile.visible + row * at.scratch.tile.stride;
+        for (int k = 0; k < at.box.width; k += lanes)
+            shaded += static_cast<unsigned>(count(!(load(visible + k) == Ints(-1))));
+        write_tile_row(draw, at.scratch, at.box, row, [&](int k) RELEVO_INSIDE {
+            return select(load(visible + k) == Ints(-1), background, packed);
+        });
+        write_background_row(draw, at.scratch.background);
     }
     return shaded;
 }
 
-// Fills tile.color of the box, and the picture of linear colour if it was asked for. Returns the number of
-// shaded pixels.
-RELEVO_LANE std::uint64_t shade_tile(const DrawState& draw, const TileScratch& scratch, int listed,
+// Colours and writes the tile. Returns the number of shaded pixels.
+RELEVO_LANE std::uint64_t shade_tile(const DrawState& draw, TileScratch& scratch, int listed,
                                      const TileBox& box) {
     const TileAt at{draw, scratch, listed, box};
     switch (draw.settings.shading) {
         case Shading::Unlit:
             if (draw.models.size() == 1 && !draw.models[0].textured && draw.linear == nullptr)
-                return shade_one_color(draw, scratch.tile, box);
+                return shade_one_color(at);
             return shade_blocks<Unlit>(at);
         case Shading::Flat:
             return shade_blocks<Flat>(at);

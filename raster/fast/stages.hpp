@@ -8,11 +8,18 @@
 
 namespace relevo::raster::fast {
 
+// Tiles that nothing touches, to be written as background between other work.
+struct Background {
+    const int* tiles = nullptr;
+    int count = 0, row = 0;  // of tiles; of the first one: rows that are written
+};
+
 // The memory of one worker for one tile at a time.
 struct TileScratch {
     TileMemory tile;
     std::uint32_t* ids = nullptr;  // the tile's list; room for first_block ids more
     std::byte* kept = nullptr;     // set-ups of triangles for shading, kept_bytes
+    Background background;         // is empty when the tile is done
 };
 inline constexpr std::size_t kept_bytes = std::size_t{1} << 20;
 

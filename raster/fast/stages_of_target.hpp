@@ -29,16 +29,11 @@ namespace relevo::raster::fast::HWY_NAMESPACE {
 
 [[gnu::flatten]] static std::uint64_t draw_tile(const DrawState& draw, const Chunk* chunks, int chunk_count,
                                                 TileScratch& scratch, int number) {
-    const int x0 = number % draw.tiles_across * draw.tile, y0 = number / draw.tiles_across * draw.tile;
-    const TileBox box{x0, y0, std::min(draw.tile, draw.viewport.width - x0),
-                      std::min(draw.tile, draw.viewport.height - y0)};
+    const TileBox box = tile_box(draw, number);
     std::uint64_t shaded = 0;
-    if (const int listed = cover_tile(draw, chunks, chunk_count, scratch, number, box); listed > 0) {
+    if (const int listed = cover_tile(draw, chunks, chunk_count, scratch, number, box); listed > 0)
         shaded = shade_tile(draw, scratch, listed, box);
-        write_tile(draw, scratch, box);
-    } else {
-        write_empty_tile(draw, box);
-    }
+    while (scratch.background.count > 0) write_background_row(draw, scratch.background);
     hwy::FlushStream();
     return shaded;
 }

@@ -1,14 +1,38 @@
-// The end of stage 3: a tile's depth and colour go to the picture, past the caches where the addresses allow:
-// a picture is written once and not read again, and ordinary stores would first fetch what they overwrite.
+// The end of stage 3: depth and colour go to the picture, past the caches where the addresses allow: a
+// picture is written once and not read again, and ordinary stores would first fetch what they overwrite.
+//
+// Memory takes such lines in its own time. So rows leave as soon as they are shaded, and tiles that nothing
+// touches are written a row at a time between other work: the core computes while memory is busy.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 
-#include "raster/fast/cover_tile.hpp"
+#include "raster/fast/draw_state.hpp"
+#include "raster/fast/lanes.hpp"
+#include "raster/fast/stages.hpp"
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
-// `count` numbers of 32 bits: value(k) gives N of them from the k-th on. The tile's memory may be read past
-// its end, the picture's row may not be written past it.
+struct TileBox {
+    int x0, y0, width, height;  // pixels of the picture
+};
+RELEVO_LANE TileBox tile_box(const DrawState& draw, int number) {
+    const int x0 = number % draw.tiles_across * draw.tile, y0 = number / draw.tiles_across * draw.tile;
+    return {x0, y0, std::min(draw.tile, draw.viewport.width - x0),
+            std::min(draw.tile, draw.viewport.height - y0)};
+}
+
+// How depths compare: forward depths turn their sign, so that greater is nearer.
+struct Nearness {
+    Ints flip;
+    RELEVO_LANE Floats operator()(Floats z) const { return bits_float(float_bits(z) ^ flip); }
+};
+RELEVO_LANE Nearness nearness_of(const DrawState& draw) {
+    return {Ints(draw.settings.depth == DepthFormat::Float32Reversed ? 0 : INT32_MIN)};
+}
+
+// `count` numbers of 32 bits: value(k) gives N of them from the k-th on. What value() reads may lie past the
+// count, the picture's row may not be written past it.
 template <class Value>
 RELEVO_LANE void write_row(std::uint32_t* to, int count, Value&& value) {
     constexpr std::uintptr_t line =
@@ -28,39 +52,38 @@ RELEVO_LANE void write_row(std::uint32_t* to, int count, Value&& value) {
     for (; k < count; k += lanes) part(k, count - k < lanes ? count - k : lanes);
 }
 
-RELEVO_LANE void write_tile(const DrawState& draw, const TileScratch& scratch, const TileBox& box) {
-    const TileMemory& tile = scratch.tile;
-    const Nearness nearness{Ints(draw.settings.depth == DepthFormat::Float32Reversed ? 0 : INT32_MIN)};
-    for (int y = 0; y < box.height; ++y) {
-        const std::size_t at =
-            std::size_t(box.y0 + y) * std::size_t(draw.viewport.width) + std::size_t(box.x0);
-        const int from = y * tile.stride;
-        write_row(reinterpret_cast<std::uint32_t*>(draw.color + at), box.width,
-                  [&](int k) { return load(tile.color + from + k); });
-        write_row(reinterpret_cast<std::uint32_t*>(draw.depth + at), box.width,
-                  [&](int k) { return float_bits(nearness(load(tile.nearness + from + k))); });
-        if (draw.visible != nullptr)
-            for (int x = 0; x < box.width; ++x) {
-                const std::uint32_t number = tile.visible[from + x];
-                draw.visible[at + std::size_t(x)] =
-                    number == nothing ? nothing : primitive_of(draw, scratch.ids[number]);
-            }
+// Row y of the tile; its colours by color(k).
+template <class Color>
+RELEVO_LANE void write_tile_row(const DrawState& draw, const TileScratch& scratch, const TileBox& box, int y,
+                                Color&& color) {
+    const Nearness nearness = nearness_of(draw);
+    const std::size_t at = std::size_t(box.y0 + y) * std::size_t(draw.viewport.width) + std::size_t(box.x0);
+    const int from = y * scratch.tile.stride;
+    write_row(reinterpret_cast<std::uint32_t*>(draw.color + at), box.width, color);
+    write_row(reinterpret_cast<std::uint32_t*>(draw.depth + at), box.width,
+              [&](int k) { return float_bits(nearness(load(scratch.tile.nearness + from + k))); });
+    for (int x = 0; draw.visible != nullptr && x < box.width; ++x) {
+        const std::uint32_t number = scratch.tile.visible[from + x];
+        draw.visible[at + std::size_t(x)] =
+            number == nothing ? nothing : primitive_of(draw, scratch.ids[number]);
     }
 }
 
-RELEVO_LANE void write_empty_tile(const DrawState& draw, const TileBox& box) {
+// The next row of the tiles that nothing touches, if there is one.
+RELEVO_LANE void write_background_row(const DrawState& draw, Background& background) {
+    if (background.count == 0) return;
+    const TileBox box = tile_box(draw, *background.tiles);
     const Ints color(std::bit_cast<std::int32_t>(draw.background8));
     const Ints depth(std::bit_cast<std::int32_t>(cleared_depth(draw.settings.depth)));
-    for (int y = 0; y < box.height; ++y) {
-        const std::size_t at =
-            std::size_t(box.y0 + y) * std::size_t(draw.viewport.width) + std::size_t(box.x0);
-        write_row(reinterpret_cast<std::uint32_t*>(draw.color + at), box.width, [&](int) { return color; });
-        write_row(reinterpret_cast<std::uint32_t*>(draw.depth + at), box.width, [&](int) { return depth; });
-        for (int x = 0; x < box.width; ++x) {
-            if (draw.linear != nullptr) draw.linear[at + std::size_t(x)] = draw.background;
-            if (draw.visible != nullptr) draw.visible[at + std::size_t(x)] = nothing;
-        }
+    const std::size_t at =
+        std::size_t(box.y0 + background.row) * std::size_t(draw.viewport.width) + std::size_t(box.x0);
+    write_row(reinterpret_cast<std::uint32_t*>(draw.color + at), box.width, [&](int) { return color; });
+    write_row(reinterpret_cast<std::uint32_t*>(draw.depth + at), box.width, [&](int) { return depth; });
+    for (int x = 0; x < box.width; ++x) {
+        if (draw.linear != nullptr) draw.linear[at + std::size_t(x)] = draw.background;
+        if (draw.visible != nullptr) draw.visible[at + std::size_t(x)] = nothing;
     }
+    if (++background.row == box.height) background.row = 0, ++background.tiles, --background.count;
 }
 
 }  // namespace relevo::raster::fast::HWY_NAMESPACE
