@@ -185,7 +185,6 @@ RELEVO_LANE Doubles operator*(Doubles a, Doubles b) {
 RELEVO_LANE Doubles operator/(Doubles a, Doubles b) {
     return {hn::Div(a.low, b.low), hn::Div(a.high, b.high)};
 }
-RELEVO_LANE Doubles round_to_even(Doubles a) { return {hn::Round(a.low), hn::Round(a.high)}; }
 // A truth a lane, as wide as the lanes of Doubles.
 struct WideBools {
     hn::Mask<TagD> low, high;
@@ -223,14 +222,37 @@ RELEVO_LANE Doubles to_wide(Ints a) {
             hn::PromoteTo(TagD(), hn::UpperHalf(HalfI(), a.v))};
 }
 RELEVO_LANE Floats rounded(Doubles a) {
+#if HWY_TARGET == HWY_AVX3
+    return Floats(hn::Vec<TagF>{_mm512_insertf32x8(_mm512_castps256_ps512(_mm512_cvtpd_ps(a.low.raw)),
+                                                   _mm512_cvtpd_ps(a.high.raw), 1)});
+#else
     return Floats(hn::Combine(TagF(), hn::DemoteTo(HalfF(), a.high), hn::DemoteTo(HalfF(), a.low)));
-}
-RELEVO_LANE Ints truncated(Doubles a) {  // of numbers within int32
-    return Ints(hn::Combine(TagI(), hn::DemoteTo(HalfI(), a.high), hn::DemoteTo(HalfI(), a.low)));
+#endif
 }
 RELEVO_LANE Doubles to_big(Ints a) { return to_wide(a); }
-RELEVO_LANE Ints nearest(Doubles a) { return truncated(round_to_even(a)); }  // of numbers within int32
-// The processor's own conversion; hn::ConvertTo would take care of numbers outside int32, too.
+// The processor's own conversions: of numbers within int32; hn's would take care of others, too.
+RELEVO_LANE Ints nearest(Doubles a) {  // ties to even
+#if HWY_TARGET == HWY_AVX3
+    return Ints(hn::Vec<TagI>{_mm512_inserti64x4(_mm512_castsi256_si512(_mm512_cvtpd_epi32(a.low.raw)),
+                                                 _mm512_cvtpd_epi32(a.high.raw), 1)});
+#elif HWY_TARGET == HWY_AVX2
+    return Ints(hn::Vec<TagI>{_mm256_inserti128_si256(_mm256_castsi128_si256(_mm256_cvtpd_epi32(a.low.raw)),
+                                                      _mm256_cvtpd_epi32(a.high.raw), 1)});
+#else
+    return Ints(hn::Vec<TagI>{_mm_unpacklo_epi64(_mm_cvtpd_epi32(a.low.raw), _mm_cvtpd_epi32(a.high.raw))});
+#endif
+}
+RELEVO_LANE Ints truncated(Doubles a) {
+#if HWY_TARGET == HWY_AVX3
+    return Ints(hn::Vec<TagI>{_mm512_inserti64x4(_mm512_castsi256_si512(_mm512_cvttpd_epi32(a.low.raw)),
+                                                 _mm512_cvttpd_epi32(a.high.raw), 1)});
+#elif HWY_TARGET == HWY_AVX2
+    return Ints(hn::Vec<TagI>{_mm256_inserti128_si256(_mm256_castsi128_si256(_mm256_cvttpd_epi32(a.low.raw)),
+                                                      _mm256_cvttpd_epi32(a.high.raw), 1)});
+#else
+    return Ints(hn::Vec<TagI>{_mm_unpacklo_epi64(_mm_cvttpd_epi32(a.low.raw), _mm_cvttpd_epi32(a.high.raw))});
+#endif
+}
 RELEVO_LANE Ints truncated(Floats a) {
 #if HWY_TARGET == HWY_AVX3
     return Ints(hn::Vec<TagI>{_mm512_cvttps_epi32(a.v.raw)});

@@ -44,8 +44,9 @@ RELEVO_LANE int read_list(const DrawState& draw, const Chunk* chunks, int chunk_
 
 inline constexpr int cover_batch = 64;
 
-// Copies the corners of the triangles side by side; they are of any models, whole or pieces.
-RELEVO_LANE void stage_corners(const DrawState& draw, const std::uint32_t* ids, int n,
+// Copies the corners of the first n triangles side by side; they are of any models, whole or pieces. Meanwhile
+// it asks for what a later call will want: the corners stand all over memory.
+RELEVO_LANE void stage_corners(const DrawState& draw, const std::uint32_t* ids, int n, int listed,
                                SnappedCorner (&staged)[3][cover_batch + 16]) {
     std::uint32_t model_first = 1, model_last = 0;  // of the model at hand: none yet
     const ModelState* model = nullptr;
@@ -63,6 +64,11 @@ RELEVO_LANE void stage_corners(const DrawState& draw, const std::uint32_t* ids, 
         const std::uint32_t* index = &model->indices[3 * (std::size_t{id} - model_first)];
         for (int corner = 0; corner < 3; ++corner)
             copy_corner(model->window[index[corner]], staged[corner][k]);
+        if (k + cover_batch >= listed) continue;
+        const std::uint32_t later = ids[k + cover_batch];
+        if (!(model_first <= later && later < model_last)) continue;
+        index = &model->indices[3 * (std::size_t{later} - model_first)];
+        hwy::Prefetch(&model->window[index[0]]), hwy::Prefetch(&model->window[index[2]]);
     }
 }
 

@@ -421,9 +421,9 @@ template <template <bool> class Program>
             last = nothing;  // its set-up may have been replaced
         }
         if (waiting.count > 0) light_blocks<Program>(at, waiting);
-        for (int y = row; y < row + block_rows && y < at.box.height; ++y)
-            write_tile_row(at.draw, at.scratch, at.box, y, [&](int k) RELEVO_INSIDE {
-                return load(tile.color + (y - row) * tile.stride + k);
+        for (int line = row; line < row + block_rows && line < at.box.height; ++line)
+            write_tile_row(at.draw, at.scratch, at.box, line, [&](int k) RELEVO_INSIDE {
+                return load(tile.color + (line - row) * tile.stride + k);
             });
     }
     return shaded;

@@ -4,6 +4,8 @@
 //   window    x y z rw | ...                   16 bytes; rw = 0 and x = clip code where there is one
 //   carried   a0 .. a3 [a4 .. a7] | ...        16 or 32 bytes: what the shading interpolates
 #pragma once
+#include <algorithm>
+
 #include "raster/fast/draw_state.hpp"
 #include "raster/fast/lanes.hpp"
 #include "raster/shading.hpp"
@@ -69,14 +71,15 @@ template <class Program>
 RELEVO_LANE void transform_vertices(const ModelState& model, const pipeline::Viewport& viewport,
                                     std::uint32_t first, std::uint32_t last) {
     for (std::size_t i = first; i < last; i += lanes) {
-        pipeline::Vertex some[lanes];
-        const pipeline::Vertex* from = &model.vertices[i];
-        if (i + lanes > last) {  // the last few of the mesh
-            for (std::size_t k = 0; k < lanes; ++k) some[k] = model.vertices[i + k < last ? i + k : last - 1];
-            from = some;
+        SnappedCorner* window = model.window + i;
+        float* carried = model.carried + i * std::size_t(model.stride);
+        if (i + lanes <= last) {
+            transform_group<Program>(model, viewport, &model.vertices[i], window, carried);
+        } else {  // the last few of the mesh
+            pipeline::Vertex some[lanes];
+            for (std::size_t k = 0; k < lanes; ++k) some[k] = model.vertices[std::min<std::size_t>(i + k, last - 1)];
+            transform_group<Program>(model, viewport, some, window, carried);
         }
-        transform_group<Program>(model, viewport, from, model.window + i,
-                                 model.carried + i * std::size_t(model.stride));
     }
 }
 
