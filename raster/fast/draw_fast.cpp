@@ -59,7 +59,9 @@ struct ChunkMemory {
     Buffer<std::uint32_t> words;
     std::size_t max_words = 0;
     std::vector<std::uint32_t> wide;
-    std::vector<Piece> pieces;
+    std::vector<PieceName> names;
+    std::vector<Piece> pieces;  // the first of them, at most max_pieces
+    std::size_t max_pieces = 0;
 };
 
 struct WorkerMemory {
@@ -83,7 +85,7 @@ struct Workspace::Memory {
     std::vector<WorkerMemory> workers;
     std::vector<ModelState> states;
     std::vector<Chunk> chunk_states;
-    std::vector<std::span<const Piece>> pieces;
+    std::vector<Pieces> pieces;
     std::vector<pipeline::EyeLight> lights;
     std::vector<int> touched, empty;  // tiles
 };
@@ -97,7 +99,7 @@ std::size_t Workspace::bytes() const {
     std::size_t sum = sizeof(Memory);
     for (const ModelMemory& m : memory_->models) sum += m.window.bytes() + m.carried.bytes();
     for (const ChunkMemory& c : memory_->chunks)
-        sum += c.lists.bytes() + c.words.bytes() + bytes_of(c.wide) + bytes_of(c.pieces);
+        sum += c.lists.bytes() + c.words.bytes() + bytes_of(c.wide) + bytes_of(c.names) + bytes_of(c.pieces);
     for (const WorkerMemory& w : memory_->workers)
         sum += w.nearness.bytes() + w.visible.bytes() + w.color.bytes() + w.ids.bytes() + w.kept.bytes();
     return sum + bytes_of(memory_->models) + bytes_of(memory_->chunks) + bytes_of(memory_->workers) +
@@ -179,22 +181,29 @@ Carried carried_of(const ModelSetup& setup, Shading shading, bool textured, cons
 
 }  // namespace
 
-void clip_into_bins(const DrawState& draw, Chunk& chunk, const ModelState& model, std::uint32_t primitive) {
-    const auto reject = [&](Rejection reason) { ++chunk.counts.rejected[static_cast<int>(reason)]; };
+namespace {
+
+// A triangle with a clip code, and what clipping makes of it. What a corner carries stands there twice where
+// back faces are lit by their own normals: towards the front, towards the back.
+struct ClippedPrimitive {
+    pipeline::ClipCodes crossed = 0, outside = 0;  // planes that a corner, that all corners are beyond
+    ClippedTriangle<2 * max_carried> polygon;
+};
+ClippedPrimitive clip_primitive(const DrawState& draw, const ModelState& model, std::uint32_t primitive) {
+    ClippedPrimitive out;
     const std::uint32_t* index = &model.indices[3 * (std::size_t{primitive} - model.first_primitive)];
     pipeline::HPoint<pipeline::Clip> clip[3];
-    pipeline::ClipCodes crossed = 0, all = pipeline::code_planes;
+    out.outside = pipeline::code_planes;
     for (int k = 0; k < 3; ++k) {
         clip[k] = model.setup.clip_from_object * model.vertices[index[k]].position;
         const pipeline::ClipCodes codes = pipeline::clip_codes(clip[k]);
-        crossed |= codes, all &= codes;
+        out.crossed |= codes, out.outside &= codes;
     }
-    if (crossed & pipeline::code_non_finite) return reject(Rejection::NonFinite);
-    if (crossed & pipeline::code_origin) return reject(Rejection::ZeroArea);
-    if (all != 0) return reject(Rejection::Outside);
+    if ((out.crossed & (pipeline::code_non_finite | pipeline::code_origin)) != 0 || out.outside != 0)
+        return out;
 
     constexpr std::size_t n = max_carried;
-    pipeline::ClipPolygon<2 * n> polygon;
+    pipeline::ClipPolygon<2 * n> triangle;
     for (int k = 0; k < 3; ++k) {
         pipeline::ClipCorner<2 * n> corner{glm::dvec4(clip[k].v), {}, 0};
         for (int side = 0; side < (model.setup.both_sides ? 2 : 1); ++side) {
@@ -202,31 +211,64 @@ void clip_into_bins(const DrawState& draw, Chunk& chunk, const ModelState& model
                 carried_of(model.setup, model.shading, model.textured, model.vertices[index[k]], side == 1);
             std::copy(carried.begin(), carried.end(), corner.varying.begin() + std::ptrdiff_t(n) * side);
         }
-        polygon.push(corner);
+        triangle.push(corner);
     }
-    const auto clipped = clip_triangle(polygon, crossed, draw.viewport);
-    if (clipped.result == Clipped::Outside) return reject(Rejection::Outside);
-    if (clipped.result == Clipped::NonFinite) return reject(Rejection::NonFinite);
+    out.polygon = clip_triangle(triangle, out.crossed, draw.viewport);
+    return out;
+}
+
+template <std::size_t n>
+Piece make_piece(const ModelState& model, const ClippedTriangle<n>& polygon, std::size_t a, std::size_t b,
+                 std::size_t c) {
+    const std::size_t corner[3] = {a, b, c};
+    Piece made{{polygon.window[a], polygon.window[b], polygon.window[c]}, {}};
+    const std::int64_t area = area2(made.window[0], made.window[1], made.window[2]);
+    const bool back = model.setup.both_sides && pipeline::facing(area, model.setup.mirrored) == Facing::Back;
+    for (int k = 0; k < 3; ++k)
+        std::copy_n(polygon.varying[corner[k]].begin() + (back ? max_carried : 0), max_carried,
+                    made.carried[k]);
+    return made;
+}
+
+}  // namespace
+
+Piece clipped_piece(const DrawState& draw, const PieceName& name) {
+    const ModelState& model = draw.models[model_of(draw, name.primitive)];
+    const ClippedPrimitive clipped = clip_primitive(draw, model, name.primitive);
+    Piece made{};
+    std::uint32_t part = 0;
+    for_each_fan_triangle(clipped.polygon, [&](std::size_t a, std::size_t b, std::size_t c) {
+        if (part++ == name.part) made = make_piece(model, clipped.polygon, a, b, c);
+    });
+    return made;
+}
+
+void clip_into_bins(const DrawState& draw, Chunk& chunk, const ModelState& model, std::uint32_t primitive) {
+    const auto reject = [&](Rejection reason) { ++chunk.counts.rejected[static_cast<int>(reason)]; };
+    const ClippedPrimitive clipped = clip_primitive(draw, model, primitive);
+    if (clipped.crossed & pipeline::code_non_finite) return reject(Rejection::NonFinite);
+    if (clipped.crossed & pipeline::code_origin) return reject(Rejection::ZeroArea);
+    if (clipped.outside != 0 || clipped.polygon.result == Clipped::Outside) return reject(Rejection::Outside);
+    if (clipped.polygon.result == Clipped::NonFinite) return reject(Rejection::NonFinite);
     ++chunk.counts.clipped;
 
-    std::vector<Piece>& pieces = static_cast<GrowingChunk&>(chunk).memory->pieces;
-    for_each_fan_triangle(clipped, [&](std::size_t a, std::size_t b, std::size_t c) {
-        const std::size_t corner[3] = {a, b, c};
-        const SnappedCorner window[3] = {clipped.window[a], clipped.window[b], clipped.window[c]};
+    ChunkMemory& memory = *static_cast<GrowingChunk&>(chunk).memory;
+    std::uint32_t part = 0;
+    for_each_fan_triangle(clipped.polygon, [&](std::size_t a, std::size_t b, std::size_t c) {
+        const PieceName name{primitive, part++};
+        const SnappedCorner window[3] = {clipped.polygon.window[a], clipped.polygon.window[b],
+                                         clipped.polygon.window[c]};
         const std::int64_t area = area2(window[0], window[1], window[2]);
         if (area == 0) return reject(Rejection::ZeroArea);
-        const Facing facing = pipeline::facing(area, model.setup.mirrored);
-        if (pipeline::is_culled(facing, draw.settings.cull)) return reject(Rejection::Culled);
+        if (pipeline::is_culled(pipeline::facing(area, model.setup.mirrored), draw.settings.cull))
+            return reject(Rejection::Culled);
         const PixelBox box = pixel_box(window, draw.viewport.width, draw.viewport.height);
         if (box.empty()) return reject(Rejection::NoPixel);
-        Piece made{{window[0], window[1], window[2]}, {}, primitive, model.number};
-        const bool back = facing == Facing::Back && model.setup.both_sides;
-        for (int k = 0; k < 3; ++k)
-            std::copy_n(clipped.varying[corner[k]].begin() + std::ptrdiff_t(back ? n : 0), n,
-                        made.carried[k]);
         const std::uint32_t id =
-            piece_bit | chunk.number << piece_index_bits | static_cast<std::uint32_t>(pieces.size());
-        pieces.push_back(made);
+            piece_bit | chunk.number << piece_index_bits | static_cast<std::uint32_t>(memory.names.size());
+        memory.names.push_back(name);
+        if (memory.names.size() <= memory.max_pieces)
+            memory.pieces.push_back(make_piece(model, clipped.polygon, a, b, c));
         append(draw, chunk, id, box.x0 / draw.tile, box.y0 / draw.tile, box.x1 / draw.tile,
                box.y1 / draw.tile);
     });
@@ -336,12 +378,14 @@ class FastDraw {
                 std::max((list_room / chunk_count_ + 8 * std::size_t{chunk.last - chunk.first}) / 4,
                          memory.words.capacity());
             memory.wide.clear();
-            memory.pieces.clear();
+            memory.names.clear(), memory.pieces.clear();
+            memory.max_pieces = piece_room / chunk_count_ / sizeof(Piece);
         }
         each(static_cast<int>(chunk_count_),
              [&](int c, int) { stages_.bin(draw_, chunks_[std::size_t(c)]); });
         memory_.chunk_states.assign(chunks_.begin(), chunks_.end());
-        for (std::uint32_t c = 0; c < chunk_count_; ++c) memory_.pieces[c] = memory_.chunks[c].pieces;
+        for (std::uint32_t c = 0; c < chunk_count_; ++c)
+            memory_.pieces[c] = {memory_.chunks[c].names, memory_.chunks[c].pieces};
         draw_.pieces = memory_.pieces;
     }
 
@@ -393,7 +437,8 @@ class FastDraw {
         return counts_;
     }
 
-    static constexpr std::size_t list_room = std::size_t{32} << 20;  // bytes, besides 8 a triangle
+    static constexpr std::size_t list_room = std::size_t{24} << 20,  // bytes, besides 8 a triangle
+        piece_room = std::size_t{8} << 20;                           // bytes
 
     const Scene& scene_;
     Workspace::Memory& memory_;

@@ -55,13 +55,20 @@ struct ModelState {
 struct Piece {
     SnappedCorner window[3];
     Scalar carried[3][max_carried];
-    std::uint32_t primitive, model;
+};
+struct PieceName {
+    std::uint32_t primitive, part;  // the number of the piece in its polygon's fan
+};
+// The pieces that a chunk made. Only so many are kept: the rest is clipped again when it is asked for.
+struct Pieces {
+    std::span<const PieceName> names;
+    std::span<const Piece> kept;  // the first of them
 };
 
 // Everything about a picture that the stages read.
 struct DrawState {
     std::span<const ModelState> models;
-    std::span<const std::span<const Piece>> pieces;  // of each chunk
+    std::span<const Pieces> pieces;  // of each chunk
     Settings settings;
     pipeline::Viewport viewport{};
     int tile = 64;  // pixels a side: 32, 64 or 128
@@ -74,12 +81,20 @@ struct DrawState {
     std::uint32_t* visible = nullptr;       // primitive of each pixel; null: nobody asked
 };
 
-inline const Piece& piece(const DrawState& draw, std::uint32_t id) {
-    const std::uint32_t chunk = (id & ~piece_bit) >> piece_index_bits;
-    return draw.pieces[chunk][id & ((1u << piece_index_bits) - 1)];
+inline const Pieces& pieces_of(const DrawState& draw, std::uint32_t id) {
+    return draw.pieces[(id & ~piece_bit) >> piece_index_bits];
 }
+inline std::uint32_t piece_index(std::uint32_t id) { return id & ((1u << piece_index_bits) - 1); }
 inline std::uint32_t primitive_of(const DrawState& draw, std::uint32_t id) {
-    return id & piece_bit ? piece(draw, id).primitive : id;
+    return id & piece_bit ? pieces_of(draw, id).names[piece_index(id)].primitive : id;
+}
+Piece clipped_piece(const DrawState& draw, const PieceName& name);  // draw_fast.cpp
+// `again` is room for a piece that is not kept.
+inline const Piece& piece(const DrawState& draw, std::uint32_t id, Piece& again) {
+    const Pieces& pieces = pieces_of(draw, id);
+    if (piece_index(id) < pieces.kept.size()) return pieces.kept[piece_index(id)];
+    again = clipped_piece(draw, pieces.names[piece_index(id)]);
+    return again;
 }
 // Whether triangle `a` is drawn before `b`: at equal depth it is seen.
 inline bool is_before(const DrawState& draw, std::uint32_t a, std::uint32_t b) {

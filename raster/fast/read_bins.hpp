@@ -44,8 +44,8 @@ RELEVO_LANE int read_list(const DrawState& draw, const Chunk* chunks, int chunk_
 
 inline constexpr int cover_batch = 64;
 
-// Copies the corners of the first n triangles side by side; they are of any models, whole or pieces. Meanwhile
-// it asks for what a later call will want: the corners stand all over memory.
+// Copies the corners of the first n triangles side by side; they are of any models, whole or pieces.
+// Meanwhile it asks for what a later call will want: the corners stand all over memory.
 RELEVO_LANE void stage_corners(const DrawState& draw, const std::uint32_t* ids, int n, int listed,
                                SnappedCorner (&staged)[3][cover_batch + 16]) {
     std::uint32_t model_first = 1, model_last = 0;  // of the model at hand: none yet
@@ -53,7 +53,8 @@ RELEVO_LANE void stage_corners(const DrawState& draw, const std::uint32_t* ids, 
     for (int k = 0; k < n; ++k) {
         const std::uint32_t id = ids[k];
         if (id & piece_bit) {
-            const Piece& p = piece(draw, id);
+            Piece again;
+            const Piece& p = piece(draw, id, again);
             for (int corner = 0; corner < 3; ++corner) copy_corner(p.window[corner], staged[corner][k]);
             continue;
         }

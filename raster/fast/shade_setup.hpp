@@ -115,22 +115,25 @@ struct PieceLanes {
     alignas(64) std::int32_t x[3][lanes], y[3][lanes], turn[lanes];
     alignas(64) float rw[3][lanes], carried[3][max_carried][lanes];
 };
+template <class Visit>
+RELEVO_LANE void for_each_piece(const DrawState& draw, const PieceLanes& p, Visit&& visit) {
+    Piece again;
+    for (int k = 0; k < lanes; ++k)
+        if (p.id[k] & piece_bit) visit(k, piece(draw, p.id[k], again));
+}
 [[gnu::noinline]] static void read_corners(const DrawState& draw, PieceLanes& p) {
-    for (int k = 0; k < lanes; ++k) {
-        if (!(p.id[k] & piece_bit)) continue;
+    for_each_piece(draw, p, [&](int k, const Piece& from) {
         for (int c = 0; c < 3; ++c) {
-            const SnappedCorner& corner = piece(draw, p.id[k]).window[c];
+            const SnappedCorner& corner = from.window[c];
             p.x[c][k] = corner.x, p.y[c][k] = corner.y, p.rw[c][k] = corner.rw;
         }
-    }
+    });
 }
 [[gnu::noinline]] static void read_carried(const DrawState& draw, PieceLanes& p, std::size_t size) {
-    for (int k = 0; k < lanes; ++k) {
-        if (!(p.id[k] & piece_bit)) continue;
+    for_each_piece(draw, p, [&](int k, const Piece& from) {
         for (int c = 0; c < 3; ++c)
-            for (std::size_t j = 0; j < size; ++j)
-                p.carried[c][j][k] = piece(draw, p.id[k]).carried[(p.turn[k] + c) % 3][j];
-    }
+            for (std::size_t j = 0; j < size; ++j) p.carried[c][j][k] = from.carried[(p.turn[k] + c) % 3][j];
+    });
 }
 
 // The triangles `ids` of the model, in every lane one.

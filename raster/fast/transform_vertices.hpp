@@ -77,7 +77,8 @@ RELEVO_LANE void transform_vertices(const ModelState& model, const pipeline::Vie
             transform_group<Program>(model, viewport, &model.vertices[i], window, carried);
         } else {  // the last few of the mesh
             pipeline::Vertex some[lanes];
-            for (std::size_t k = 0; k < lanes; ++k) some[k] = model.vertices[std::min<std::size_t>(i + k, last - 1)];
+            for (std::size_t k = 0; k < lanes; ++k)
+                some[k] = model.vertices[std::min<std::size_t>(i + k, last - 1)];
             transform_group<Program>(model, viewport, some, window, carried);
         }
     }

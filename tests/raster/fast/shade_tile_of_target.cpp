@@ -3,9 +3,10 @@
 
 namespace relevo::tests {
 
-std::uint64_t SHADE_TILE(const raster::fast::DrawState& draw, const raster::fast::TileMemory& tile, int x0,
-                         int y0, int width, int height) {
-    return raster::fast::HWY_NAMESPACE::shade_tile(draw, tile, {x0, y0, width, height});
+std::uint64_t SHADE_TILE(const raster::fast::DrawState& draw, raster::fast::TileScratch& scratch, int listed,
+                         int tile) {
+    namespace stage = raster::fast::HWY_NAMESPACE;
+    return stage::shade_tile(draw, scratch, listed, stage::tile_box(draw, tile));
 }
 
 }  // namespace relevo::tests

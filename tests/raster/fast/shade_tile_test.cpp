@@ -2,18 +2,20 @@
 // tiles are shaded from these numbers alone, and the colours must be the same to the last bit.
 #include <gtest/gtest.h>
 
-#include <bit>
+#include <algorithm>
 #include <cstring>
 #include <random>
 
 #include "pipeline/projection.hpp"
 #include "raster/draw.hpp"
+#include "raster/fast/bins.hpp"
 #include "raster/fast/draw_fast.hpp"
+#include "raster/fast/stages.hpp"
 
 namespace relevo::tests {
 
-using ShadeTile = std::uint64_t(const raster::fast::DrawState&, const raster::fast::TileMemory&, int x0,
-                                int y0, int width, int height);
+using ShadeTile = std::uint64_t(const raster::fast::DrawState&, raster::fast::TileScratch&, int listed,
+                                int tile);
 ShadeTile shade_tile_sse4, shade_tile_avx2, shade_tile_avx512;
 
 }  // namespace relevo::tests
@@ -145,7 +147,8 @@ struct State {
     std::vector<std::vector<Scalar>> carried;
     std::vector<ModelState> models;
     std::vector<Piece> pieces;
-    std::vector<std::span<const Piece>> chunks;
+    std::vector<PieceName> names;
+    std::vector<Pieces> chunks;
     std::vector<std::uint32_t> id_of;  // of each primitive
     Image<LinearRgb> linear;
     DrawState draw;
@@ -174,7 +177,6 @@ void make_pieces(State& state, const ModelState& model, std::mt19937& random) {
     for (std::uint32_t t = 0; t < model.triangles; ++t) {
         if (random() % 8 != 0) continue;
         Piece piece{};
-        piece.primitive = model.first_primitive + t, piece.model = model.number;
         const std::uint32_t* index = &model.indices[3 * t];
         const int first = int(random() % 3);
         const auto corner = [&](int k) { return index[(k + first) % 3]; };
@@ -186,9 +188,10 @@ void make_pieces(State& state, const ModelState& model, std::mt19937& random) {
                 varying_of<Program>(model.setup, model.vertices[corner(k)], back && model.setup.both_sides);
             std::copy(values.begin(), values.end(), piece.carried[k]);
         }
-        state.id_of[piece.primitive] =
+        state.id_of[model.first_primitive + t] =
             piece_bit | 1u << piece_index_bits | static_cast<std::uint32_t>(state.pieces.size());
         state.pieces.push_back(piece);
+        state.names.push_back({model.first_primitive + t, 0});
     }
 }
 
@@ -214,7 +217,7 @@ void fill(State& state, const Subject& s, bool with_pieces) {
             if (with_pieces) make_pieces<Program>(state, model, random);
         });
     }
-    state.chunks = {{}, state.pieces};
+    state.chunks = {{}, {state.names, state.pieces}};
     state.draw.models = state.models, state.draw.pieces = state.chunks;
     state.draw.settings = s.settings;
     state.draw.background = s.scene.background;
@@ -230,44 +233,59 @@ std::string difference(const Subject& s, const Picture& right, InstructionSet se
     state.draw.tile = tile_size;
     state.linear = Image<LinearRgb>(s.width, s.height, {-1, -1, -1});
     if (with_linear) state.draw.linear = state.linear.row(0);
+    Image<Rgba8> color(s.width, s.height);
+    Image<Scalar> depth(s.width, s.height);
+    state.draw.color = color.row(0), state.draw.depth = depth.row(0);
+    state.draw.tiles_across = (s.width + tile_size - 1) / tile_size;
+    state.draw.tiles_down = (s.height + tile_size - 1) / tile_size;
+
+    // the list of every tile: all triangles, so that there are more than shading keeps at a time
+    std::vector<std::uint32_t> place_of(state.id_of.size()), ids(state.id_of.size());
+    for (std::uint32_t k = 0; k < place_of.size(); ++k) place_of[k] = k;
+    std::mt19937 random{static_cast<unsigned>(tile_size)};
+    if (with_pieces) std::shuffle(place_of.begin(), place_of.end(), random);
+    for (std::size_t k = 0; k < ids.size(); ++k) ids[place_of[k]] = state.id_of[k];
+    const int listed = static_cast<int>(ids.size());
+    ids.resize(ids.size() + first_block, 0);
+
     const int stride = tile_size + 16;
+    const std::size_t pixels = std::size_t(stride) * std::size_t(tile_size) + 16;
+    std::vector<Scalar> nearness(pixels, 0.25f);
+    std::vector<std::uint32_t> visible(pixels), band(pixels);
+    std::vector<std::byte> kept(kept_bytes + 64);
+    auto* const kept_line = kept.data() + (64 - reinterpret_cast<std::uintptr_t>(kept.data()) % 64) % 64;
     std::uint64_t shaded = 0, shown = 0;
-    for (int y0 = 0; y0 < s.height; y0 += tile_size)
-        for (int x0 = 0; x0 < s.width; x0 += tile_size) {
-            const int width = std::min(tile_size, s.width - x0), height = std::min(tile_size, s.height - y0);
-            // what lies past the box is rubbish: an id without a triangle
-            std::vector<std::uint32_t> visible(std::size_t(stride * tile_size), 0x12345678u);
-            std::vector<std::uint32_t> color(visible.size(), 0);
-            for (int y = 0; y < height; ++y)
-                for (int x = 0; x < width; ++x) {
-                    const std::uint32_t primitive = right.visible.at(x0 + x, y0 + y);
-                    visible[std::size_t(y * stride + x)] =
-                        primitive == nothing ? nothing : state.id_of[primitive];
-                    shown += primitive != nothing;
-                }
-            const TileMemory tile{stride, nullptr, visible.data(), color.data()};
-            shaded += shade_tile_of(set)(state.draw, tile, x0, y0, width, height);
-            for (int y = 0; y < height; ++y)
-                for (int x = 0; x < width; ++x) {
-                    const auto rgba = std::bit_cast<Rgba8>(color[std::size_t(y * stride + x)]);
-                    const Rgba8 expected = right.frame.color.at(x0 + x, y0 + y);
-                    const LinearRgb linear = state.linear.at(x0 + x, y0 + y),
-                                    expected_linear = right.frame.linear.at(x0 + x, y0 + y);
-                    const bool same =
-                        rgba == expected &&
-                        (!with_linear || std::memcmp(&linear, &expected_linear, sizeof linear) == 0);
-                    if (!same) {
-                        char text[300];
-                        std::snprintf(
-                            text, sizeof text,
-                            "pixel %d %d, primitive %u: %d %d %d instead of %d %d %d; %a %a %a instead "
-                            "of %a %a %a",
-                            x0 + x, y0 + y, right.visible.at(x0 + x, y0 + y), rgba.r, rgba.g, rgba.b,
-                            expected.r, expected.g, expected.b, linear.r, linear.g, linear.b,
-                            expected_linear.r, expected_linear.g, expected_linear.b);
-                        return text;
-                    }
-                }
+    for (int tile = 0; tile < state.draw.tiles_across * state.draw.tiles_down; ++tile) {
+        const int x0 = tile % state.draw.tiles_across * tile_size,
+                  y0 = tile / state.draw.tiles_across * tile_size;
+        std::fill(visible.begin(), visible.end(), nothing);
+        for (int y = y0; y < std::min(y0 + tile_size, s.height); ++y)
+            for (int x = x0; x < std::min(x0 + tile_size, s.width); ++x) {
+                const std::uint32_t primitive = right.visible.at(x, y);
+                if (primitive == nothing) continue;
+                visible[std::size_t((y - y0) * stride + x - x0)] = place_of[primitive];
+                ++shown;
+            }
+        TileScratch scratch{
+            {stride, nearness.data(), visible.data(), band.data()}, ids.data(), kept_line, {}};
+        shaded += shade_tile_of(set)(state.draw, scratch, listed, tile);
+    }
+    for (int y = 0; y < s.height; ++y)
+        for (int x = 0; x < s.width; ++x) {
+            const Rgba8 rgba = color.at(x, y), expected = right.frame.color.at(x, y);
+            const LinearRgb linear = state.linear.at(x, y), expected_linear = right.frame.linear.at(x, y);
+            const bool same = rgba == expected && depth.at(x, y) == 0.25f &&
+                              (!with_linear || std::memcmp(&linear, &expected_linear, sizeof linear) == 0);
+            if (same) continue;
+            char text[300];
+            std::snprintf(
+                text, sizeof text,
+                "pixel %d %d, primitive %u: %d %d %d instead of %d %d %d; %a %a %a instead of %a %a %a; "
+                "depth %a",
+                x, y, right.visible.at(x, y), rgba.r, rgba.g, rgba.b, expected.r, expected.g, expected.b,
+                linear.r, linear.g, linear.b, expected_linear.r, expected_linear.g, expected_linear.b,
+                depth.at(x, y));
+            return text;
         }
     if (shaded != shown) return std::to_string(shaded) + " pixels shaded, not " + std::to_string(shown);
     return "";
