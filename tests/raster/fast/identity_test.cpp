@@ -2,6 +2,9 @@
 // for every instruction set, number of threads and tile size of this machine. scripts/identity asks for more.
 #include <gtest/gtest.h>
 
+#include <random>
+
+#include "pipeline/projection.hpp"
 #include "samples/scene/scene.hpp"
 #include "tests/raster/fast/identity_scenes.hpp"
 
@@ -245,6 +248,36 @@ TEST(Workspace, MemoryIsBounded) {
     };
     expect_bounded(torus("torus_1m", 1000, 500), {641, 479});
     expect_bounded(everything(), {8192, 256});
+}
+
+// Every triangle crosses the near plane and is clipped to two: far more pieces than are kept.
+TEST(Workspace, MemoryIsBoundedWhateverIsClipped) {
+    constexpr std::uint32_t triangles = 250'000;
+    pipeline::Mesh mesh;
+    std::mt19937 random(5);
+    const auto place = [&] { return static_cast<float>(random() % 2001) / 1000 - 1; };
+    for (std::uint32_t t = 0; t < triangles; ++t)
+        for (int corner = 0; corner < 3; ++corner) {
+            const float z = corner < 2 ? -1 - place() : 4 + place();  // the eye stands at z = 2
+            mesh.vertices.push_back({{{place(), place(), z}}, {{0, 0, 1}}, {place(), place()}});
+            mesh.indices.push_back(3 * t + static_cast<std::uint32_t>(corner));
+        }
+    raster::Scene scene;
+    scene.models.push_back({&mesh, {}, {}, nullptr, true});
+    scene.camera = {*pipeline::look_at({0, 0, 2}, {0, 0, 0}, {0, 1, 0}),
+                    *pipeline::perspective({60}, 1.3, 0.1, 10, pipeline::DepthRange::Reversed), false};
+    scene.lights = {{}};
+    raster::Settings settings;
+    settings.shading = raster::Shading::Gouraud, settings.cull = pipeline::Cull::None;
+    const Size size{61, 47};
+    const Answer right = textbook(scene, settings, size);
+    EXPECT_GT(right.counts.clipped, triangles / 2);
+    for (const fast::InstructionSet set : fast::instruction_sets()) {
+        fast::Workspace workspace;
+        const Way way{set, set == fast::InstructionSet::Avx2 ? 2 : 1, 64};
+        EXPECT_EQ(difference(right, fast_path(scene, settings, size, way, workspace)), "") << text(way);
+        EXPECT_LE(workspace.bytes(), mesh.vertices.size() * 48 + triangles * 8 + (std::size_t{64} << 20));
+    }
 }
 
 }  // namespace
