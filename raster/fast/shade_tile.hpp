@@ -18,7 +18,7 @@
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
 // With more triangles in a block it is faster that every lane sets up its own.
-inline constexpr int most_seen = 8;
+inline constexpr int most_seen = lanes == 16 ? 6 : lanes == 8 ? 5 : 3;
 
 // Calls use(Program{}) with the program of the model: textured or not.
 template <template <bool> class Program, class Use>
