@@ -42,18 +42,9 @@ RELEVO_LANE void bin_group(const DrawState& draw, Chunk& chunk, const ModelState
     const Bools valid = first_lanes(count_in_group);
     const Bools coded = (a.rw == 0 || b.rw == 0 || c.rw == 0) && valid;
 
-    const Ints left = min(a.x, min(b.x, c.x)), right = max(a.x, max(b.x, c.x));
-    const Ints top = min(a.y, min(b.y, c.y)), bottom = max(a.y, max(b.y, c.y));
     const Ints upper =
         upper_words(area2<Floats>(a, b, c));  // all 0 but the sign for an area of 0 or -0, else |area| >= 1
     const Bools zero = shift_left<1>(upper) == Ints(0), negative = is_negative(upper);
-
-    const Ints x0 = max(shift_right<8>(left + Ints(127)), Ints(0)),
-               y0 = max(shift_right<8>(top + Ints(127)), Ints(0)),
-               x1 = min(shift_right<8>(right - Ints(128)), Ints(draw.viewport.width - 1)),
-               y1 = min(shift_right<8>(bottom - Ints(128)), Ints(draw.viewport.height - 1));
-    const Bools no_pixel = x0 > x1 || y0 > y1;
-
     const Bools drawable = valid & !coded;
     const Bools front = model.setup.mirrored ? !negative : negative;
     Bools culled{};
@@ -68,10 +59,21 @@ RELEVO_LANE void bin_group(const DrawState& draw, Chunk& chunk, const ModelState
             culled = drawable & !zero & front;
             break;
     }
+    const auto reject = [&](Rejection reason, Bools which) RELEVO_INSIDE {
+        chunk.counts.rejected[static_cast<int>(reason)] += static_cast<unsigned>(count(which));
+    };
+    reject(Rejection::Culled, culled);
+    if (bits(culled) == bits(valid)) return;  // neighbours of a mesh mostly face the same way
+
+    const Ints left = min(a.x, min(b.x, c.x)), right = max(a.x, max(b.x, c.x));
+    const Ints top = min(a.y, min(b.y, c.y)), bottom = max(a.y, max(b.y, c.y));
+    const Ints x0 = max(shift_right<8>(left + Ints(127)), Ints(0)),
+               y0 = max(shift_right<8>(top + Ints(127)), Ints(0)),
+               x1 = min(shift_right<8>(right - Ints(128)), Ints(draw.viewport.width - 1)),
+               y1 = min(shift_right<8>(bottom - Ints(128)), Ints(draw.viewport.height - 1));
+    const Bools no_pixel = x0 > x1 || y0 > y1;
     const Bools flat = drawable & zero, empty = drawable & !zero & !culled & no_pixel;
-    chunk.counts.rejected[static_cast<int>(Rejection::ZeroArea)] += static_cast<unsigned>(count(flat));
-    chunk.counts.rejected[static_cast<int>(Rejection::Culled)] += static_cast<unsigned>(count(culled));
-    chunk.counts.rejected[static_cast<int>(Rejection::NoPixel)] += static_cast<unsigned>(count(empty));
+    reject(Rejection::ZeroArea, flat), reject(Rejection::NoPixel, empty);
 
     Bools drawn = drawable & !(flat | culled | empty);
     const Bools small = max(right - left, bottom - top) < Ints(max_small_extent);
