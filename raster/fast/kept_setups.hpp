@@ -22,7 +22,7 @@ struct SetupGroup {
 };
 
 struct KeptSetups {
-    static constexpr std::uint32_t slots = 2048 / lanes, none = 0xffffffffu;
+    static constexpr std::uint32_t slots = kept_triangles / lanes;
     SetupGroup* groups;
     std::uint32_t tag[slots];
 
