@@ -2,11 +2,9 @@
 // truth with which the warped ones are compared.
 #pragma once
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <optional>
 
-#include "pipeline/result.hpp"
 #include "relief/relief_texture.hpp"
 #include "relief/surface.hpp"
 #include "relief/view_image.hpp"
@@ -44,35 +42,12 @@ ReliefTexture ray_cast(const Surface& surface, const ReliefCamera& camera) {
     return texture;
 }
 
-// What a viewer at the eye of a perspective camera sees: truth at the pixel centres (samples = 1), or of
-// samples x samples rays a pixel. Then a pixel is covered when at least half of its rays hit something; its
-// colour and depth are the mean over those that do.
+// What a viewer sees of it: the truth at the pixel centres (samples = 1), or of samples x samples rays a
+// pixel, each from the screen's plane on.
 template <RayCastable Surface>
 ViewImage ray_cast_view(const Surface& surface, const ReliefCamera& viewer, int samples = 1) {
-    assert(viewer.projection == Projection::Perspective && samples >= 1);
-    const double distance = glm::dot(viewer.corner - viewer.eye, forward(viewer));
-    ViewImage image(viewer.width, viewer.height);
-    for (int y = 0; y < viewer.height; ++y)
-        for (int x = 0; x < viewer.width; ++x) {
-            glm::dvec3 color{0};
-            double depth = 0;
-            int hits = 0;
-            for (int j = 0; j < samples; ++j)
-                for (int i = 0; i < samples; ++i) {
-                    const SourceRay ray =
-                        source_ray(viewer, x + (i + 0.5) / samples, y + (j + 0.5) / samples);
-                    const auto hit = first_hit(surface, Ray{ray.origin, ray.direction});
-                    if (!hit) continue;
-                    ++hits, depth += hit->t * distance;
-                    color += glm::dvec3(hit->color.r, hit->color.g, hit->color.b);
-                }
-            if (2 * hits < samples * samples || hits == 0) continue;
-            color /= hits;
-            image.color.at(x, y) = {Scalar(color.x), Scalar(color.y), Scalar(color.z)};
-            image.depth.at(x, y) = static_cast<Scalar>(depth / hits);
-            image.coverage.at(x, y) = 1;
-        }
-    return image;
+    const ViewImage fine = as_seen(ray_cast(surface, refined(viewer, samples)));
+    return samples == 1 ? fine : reduced(fine, samples);
 }
 
 }  // namespace relevo::relief
