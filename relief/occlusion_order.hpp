@@ -68,4 +68,21 @@ void for_each_in_order(const OcclusionOrder& order, int width, int height, Visit
                 for (int i = 0, x = column.first; i < column.count; ++i, x += column.step) visit(x, y);
 }
 
+// The same for what lies between the texels of a line: gap k is between texel k and texel k + 1, for k = -1
+// and k = count - 1 beyond the ends. The gap that holds the epipole belongs to both runs: it is the last, or
+// the first.
+template <class Visit>
+void for_each_gap(double epipole, int count, bool toward, Visit&& visit) {
+    const int before = texels_before(epipole, count);
+    if (!toward) visit(before - 1);
+    if (toward) {
+        for (int k = -1; k < before - 1; ++k) visit(k);
+        for (int k = count - 1; k >= before; --k) visit(k);
+    } else {
+        for (int k = before - 2; k >= -1; --k) visit(k);
+        for (int k = before; k < count; ++k) visit(k);
+    }
+    if (toward) visit(before - 1);
+}
+
 }  // namespace relevo::relief

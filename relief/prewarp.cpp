@@ -1,0 +1,68 @@
+#include "relief/prewarp.hpp"
+
+#include "relief/resample_asymmetric.hpp"
+#include "relief/resample_compensated.hpp"
+#include "relief/resample_interleaved.hpp"
+#include "relief/resample_mesh.hpp"
+#include "relief/resample_one_dimensional.hpp"
+#include "relief/splat.hpp"
+
+namespace relevo::relief {
+namespace {
+
+template <class Pixel>
+void fit(Image<Pixel>& image, int width, int height) {
+    if (image.width() != width || image.height() != height) image = Image<Pixel>(width, height);
+}
+template <class Pixel>
+void clear(Image<Pixel>& image) {
+    std::fill(image.pixels().begin(), image.pixels().end(), Pixel{});
+}
+
+template <bool maps>
+void resample(const ReliefTexture& texture, const Warp& warp, const PrewarpSettings& settings,
+              Prewarped& result) {
+    switch (settings.resampler) {
+        case Resampler::Splat:
+            return splat<maps>(texture, warp, settings, result);
+        case Resampler::OneDimensional:
+            return resample_two_passes<maps>(OneDimensionalMethod{}, texture, warp, settings, result);
+        case Resampler::Asymmetric:
+            return resample_two_passes<maps>(AsymmetricMethod{}, texture, warp, settings, result);
+        case Resampler::Compensated:
+            return resample_two_passes<maps>(CompensatedMethod{}, texture, warp, settings, result);
+        case Resampler::Interleaved:
+            return resample_interleaved<maps>(texture, warp, settings, result);
+        case Resampler::Mesh:
+            return resample_mesh<maps>(texture, warp, settings, result);
+    }
+}
+
+}  // namespace
+
+void prewarp(const ReliefTexture& texture, const Warp& warp, const Window& window,
+             const PrewarpSettings& settings, Prewarped& result) {
+    assert(warp.projection == texture.camera.projection);
+    assert(0 < window.width && window.width <= pipeline::max_picture_size);
+    assert(0 < window.height && window.height <= pipeline::max_picture_size);
+    assert(settings.threads >= 1);
+    result.window = window;
+    const int width = window.width, height = window.height, map_width = settings.maps ? width : 0,
+              map_height = settings.maps ? height : 0;
+    fit(result.color, width, height), fit(result.normal, width, height), fit(result.depth, width, height);
+    fit(result.coverage, width, height);
+    fit(result.source, map_width, map_height), fit(result.kind, map_width, map_height);
+    fit(result.writes, map_width, map_height);
+    clear(result.coverage), clear(result.kind), clear(result.writes);
+    settings.maps ? resample<true>(texture, warp, settings, result)
+                  : resample<false>(texture, warp, settings, result);
+}
+
+Prewarped prewarp(const ReliefTexture& texture, const Warp& warp, const Window& window,
+                  const PrewarpSettings& settings) {
+    Prewarped result;
+    prewarp(texture, warp, window, settings, result);
+    return result;
+}
+
+}  // namespace relevo::relief

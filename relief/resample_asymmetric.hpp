@@ -1,0 +1,20 @@
+// The asymmetric resampler: the horizontal pass carries along the row to which each sample will go (Oliveira,
+// Bishop and McAllister 2000; Clua 2004, 8.2.1).
+//
+//     v_i(t) = (1 - t) v_i(A) + t v_i(B)
+//
+// Exact for what is planar between A and B, at the price of one more number a sample.
+#pragma once
+#include "relief/resample_two_passes.hpp"
+
+namespace relevo::relief {
+
+struct AsymmetricMethod {
+    static constexpr bool carries_row = true;
+    template <bool maps>
+    static Carried<maps> between(const WarpedRow<maps>& row, int k, Scalar t, const DepthWarp&) {
+        return lerp(row.carried[k], row.carried[k + 1], t);
+    }
+};
+
+}  // namespace relevo::relief

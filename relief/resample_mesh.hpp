@@ -1,0 +1,174 @@
+// The reference of the resamplers: every cell between four texels is two triangles in the warped picture,
+// rasterized exactly (raster/triangle_edge.hpp) and compared by depth. No order to trust, no pass after pass;
+// slow.
+//
+// What is carried is linear in the warped picture, so the triangle's own weights interpolate it. Where a cell
+// lacks a corner, or is cut, its texels still have the half texel of their own that the other resamplers give
+// them. Corners are snapped to 1/256 pixel; those farther than a picture's width beyond the window are moved
+// there.
+#pragma once
+#include "raster/triangle_edge.hpp"
+#include "relief/resample_column.hpp"
+
+namespace relevo::relief {
+
+template <bool maps>
+struct MeshCorner {
+    Scalar u, v;
+    Carried<maps> carried;
+    Scalar source_u, source_v, slope_u, slope_v;
+};
+
+template <bool maps>
+class MeshResampler {
+  public:
+    MeshResampler(const ReliefTexture& texture, const Warp& warp, const PrewarpSettings& settings,
+                  Prewarped& result)
+        : texture_(texture),
+          warp_(warp),
+          settings_(settings),
+          window_(result.window),
+          painter_(result, true),
+          warp_row_(texture, warp, result.window, settings),
+          upper_(texture.camera.width),
+          lower_(texture.camera.width) {}
+
+    void run() {
+        const int height = texture_.camera.height;
+        for (int y = -1; y < height; ++y) {  // cells between the rows y and y + 1
+            std::swap(upper_, lower_);
+            if (y + 1 < height) warp_row_(y + 1, lower_);
+            for (int x = -1; x < texture_.camera.width; ++x) draw_cell(x, y);
+        }
+    }
+
+  private:
+    using Corner = MeshCorner<maps>;
+
+    const WarpedRow<maps>& row(int dy) const { return dy ? lower_ : upper_; }
+    bool covered(int x, int y) const { return texture_.coverage.holds(x, y) && texture_.coverage.at(x, y); }
+    Corner corner(int x, int dy) const {
+        const auto k = static_cast<std::size_t>(x);
+        const WarpedRow<maps>& from = row(dy);
+        return {from.u[k],
+                from.v[k],
+                from.carried[k],
+                static_cast<Scalar>(x) + Scalar(0.5),
+                static_cast<Scalar>(from.y) + Scalar(0.5),
+                from.slope_u[k],
+                from.slope_v[k]};
+    }
+    // Half a texel away, along each axis: -1, 0 or 1.
+    Corner moved(Corner c, int along_u, int along_v) const {
+        const DepthWarp warp(warp_);
+        c.carried = half_texel_beyond(c.carried, (along_u ? c.slope_u : 0) + (along_v ? c.slope_v : 0), warp);
+        c.source_u += Scalar(0.5) * static_cast<Scalar>(along_u);
+        c.source_v += Scalar(0.5) * static_cast<Scalar>(along_v);
+        c.u = warped_u_of(c.carried, c.source_u, warp) - static_cast<Scalar>(window_.x0);
+        c.v = warped_v_of(c.carried, c.source_v, warp) - static_cast<Scalar>(window_.y0);
+        return c;
+    }
+    Gap between(const Corner& a, const Corner& b) const {
+        const auto depth = [](const Carried<maps>& c) { return c.slot[c.depth] / c.slot[c.weight]; };
+        return gap(true, true, depth(a.carried), depth(b.carried), settings_);
+    }
+
+    // The cell whose corners are the texels (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1).
+    void draw_cell(int x, int y) {
+        Corner c[4];
+        bool there[4], all = true;
+        for (int i = 0; i < 4; ++i) {
+            there[i] = covered(x + i % 2, y + i / 2), all &= there[i];
+            if (there[i]) c[i] = corner(x + i % 2, i / 2);
+        }
+        bool across = false, cut = false;
+        if (all)
+            for (const auto& [i, j] : {std::pair(0, 1), {0, 2}, {1, 3}, {2, 3}, {0, 3}, {1, 2}}) {
+                const Gap g = between(c[i], c[j]);
+                across |= g == Gap::Across, cut |= g == Gap::Cut;
+            }
+        if (all && !cut) return draw_quad(c[0], c[1], c[2], c[3], across ? Kind::FilledAcross : Kind::Filled);
+        for (int i = 0; i < 4; ++i) {
+            if (!there[i]) continue;
+            const int right = i % 2 ? -1 : 1, down = i / 2 ? -1 : 1;  // towards the middle of the cell
+            draw_quad(c[i], moved(c[i], right, 0), moved(c[i], 0, down), moved(c[i], right, down),
+                      Kind::Sampled);
+            const int across_u = i ^ 1, across_v = i ^ 2;
+            if (across_u > i && there[across_u]) draw_edge(c[i], c[across_u], 0, down);
+            if (across_v > i && there[across_v]) draw_edge(c[i], c[across_v], right, 0);
+        }
+    }
+    void draw_edge(const Corner& a, const Corner& b, int along_u, int along_v) {
+        const Gap g = between(a, b);
+        if (g == Gap::Cut) return;
+        draw_quad(a, b, moved(a, along_u, along_v), moved(b, along_u, along_v),
+                  g == Gap::Across ? Kind::FilledAcross : Kind::Filled);
+    }
+
+    void draw_quad(const Corner& a, const Corner& b, const Corner& c, const Corner& d, Kind filled) {
+        draw_triangle(a, b, d, filled);
+        draw_triangle(a, d, c, filled);
+    }
+
+    void draw_triangle(const Corner& a, const Corner& b, const Corner& c, Kind filled) {
+        const Corner* const corner[3] = {&a, &b, &c};
+        raster::SnappedCorner s[3];
+        for (int i = 0; i < 3; ++i) s[i] = snapped(*corner[i]);
+        const std::int64_t area = raster::area2(s[0], s[1], s[2]);
+        const raster::PixelBox box = raster::pixel_box(s, window_.width, window_.height);
+        if (area == 0 || box.empty()) return;
+        const raster::CornerOrder order = raster::canonical_order(s[0], s[1], s[2], area > 0);
+        const auto& [i0, i1, i2] = order.index;
+        const raster::Triangle triangle = raster::make_triangle(s[i0], s[i1], s[i2]);
+        const Carried<maps>&c0 = corner[i0]->carried, &c1 = corner[i1]->carried, &c2 = corner[i2]->carried;
+        raster::for_each_span(triangle, box, [&](int y, raster::Span span, raster::EdgeValues) {
+            for (int x = span.x0; x < span.x1; ++x) {
+                const raster::EdgeValues e = raster::edge_values(triangle, x, y);
+                const auto share = [&](std::int64_t value) {
+                    return static_cast<Scalar>(static_cast<double>(value) /
+                                               static_cast<double>(triangle.area));
+                };
+                const Scalar b1 = share(e.e1), b2 = share(e.e2);
+                Carried<maps> mixed;
+                for (int k = 0; k < Carried<maps>::size; ++k)
+                    mixed.slot[k] =
+                        c0.slot[k] + (b1 * (c1.slot[k] - c0.slot[k]) + b2 * (c2.slot[k] - c0.slot[k]));
+                painter_.paint(x, y, mixed, is_near(x, y, a, b, c) ? Kind::Sampled : filled);
+            }
+        });
+    }
+
+    // Within half a pixel of a texel, along both axes.
+    static bool is_near(int x, int y, const Corner& a, const Corner& b, const Corner& c) {
+        const auto near = [&](const Corner& at) {
+            return std::abs(static_cast<Scalar>(x) + Scalar(0.5) - at.u) <= Scalar(0.5) &&
+                   std::abs(static_cast<Scalar>(y) + Scalar(0.5) - at.v) <= Scalar(0.5);
+        };
+        return near(a) || near(b) || near(c);
+    }
+
+    static raster::SnappedCorner snapped(const Corner& c) {
+        const auto on_grid = [](Scalar place) {
+            constexpr double most = 2 * pipeline::max_picture_size;
+            return static_cast<std::int32_t>(
+                std::lrint(256 * std::clamp(static_cast<double>(place), -most, most)));
+        };
+        return {on_grid(c.u), on_grid(c.v), 0, 0};
+    }
+
+    const ReliefTexture& texture_;
+    Warp warp_;
+    PrewarpSettings settings_;
+    Window window_;
+    Painter<maps> painter_;
+    RowWarper<maps> warp_row_;
+    WarpedRow<maps> upper_, lower_;
+};
+
+template <bool maps>
+void resample_mesh(const ReliefTexture& texture, const Warp& warp, const PrewarpSettings& settings,
+                   Prewarped& result) {
+    MeshResampler<maps>(texture, warp, settings, result).run();
+}
+
+}  // namespace relevo::relief

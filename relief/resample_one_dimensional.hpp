@@ -1,0 +1,23 @@
+// The one-dimensional resampler: the horizontal pass interpolates the displacement linearly, the vertical
+// pass takes it for the truth (Oliveira, Bishop and McAllister 2000; Clua 2004, 8.2).
+//
+//     d(t) = (1 - t) d_A + t d_B
+//
+// The warp is not linear in d, so the sample lands in a wrong row: 0.002 to 0.04 texel between neighbours of
+// a smooth surface, up to 25 texels where a skin is stretched across a step of depth: straight edges bend.
+// All other numbers are interpolated as by the other methods.
+#pragma once
+#include "relief/resample_two_passes.hpp"
+
+namespace relevo::relief {
+
+struct OneDimensionalMethod {
+    static constexpr bool carries_row = false;
+    template <bool maps>
+    static Carried<maps> between(const WarpedRow<maps>& row, int k, Scalar t, const DepthWarp& warp) {
+        const Scalar depth = row.depth[k] + t * (row.depth[k + 1] - row.depth[k]);
+        return at_depth(lerp(row.carried[k], row.carried[k + 1], t), depth, warp);
+    }
+};
+
+}  // namespace relevo::relief
