@@ -7,16 +7,14 @@
 // through the pipeline the same picture is a textured polygon.
 #pragma once
 #include "relief/prewarp.hpp"
+#include "relief/texel_shares.hpp"
 #include "relief/view_image.hpp"
 #include "relief/warp_3d.hpp"
 
 namespace relevo::relief {
 
-// How a place between the pixels of the warped picture is read. Bilinear mixes only pixels that are covered
-// and whose depth is within the jump of the nearest pixel's, which decides whether anything is there.
-enum class Reading { Nearest, Bilinear };
-
-// `screen` is a perspective camera whose eye is the viewer of `warp`; its pixels that see nothing are not
+// A place between the pixels of the warped picture is read by texel_shares.hpp, its jump in world units along
+// f. `screen` is a perspective camera whose eye is the viewer of `warp`; its pixels that see nothing are not
 // covered. Depth is along its axis, in world units.
 ViewImage map_plane(const Prewarped& picture, const ReliefCamera& source, const Warp& warp,
                     const ReliefCamera& screen, Reading reading = Reading::Bilinear,
