@@ -22,18 +22,6 @@ dvec3 eye_place(const ReliefCamera& camera) {
     return camera.projection == Projection::Perspective ? camera.eye : camera.corner;
 }
 
-// How far the scene reaches behind the plane.
-double farthest(const raster::Scene& scene, const ReliefCamera& camera) {
-    const dvec3 f = forward(camera);
-    double far = 0;
-    for (const raster::Model& model : scene.models)
-        for (const pipeline::Vertex& v : model.mesh->vertices) {
-            const dvec3 p(model.world_from_object.m * dvec4(dvec3(v.position.v), 1));
-            if (const double d = dot(p - camera.corner, f); std::isfinite(d)) far = std::max(far, d);
-        }
-    return far;
-}
-
 // Hears Phong's fragments, which carry point and normal in eye space. The last one of a texel is the visible
 // one.
 class FragmentKeeper {
@@ -91,6 +79,17 @@ class FragmentKeeper {
 
 }  // namespace
 
+double depth_of_scene(const raster::Scene& scene, const ReliefCamera& camera) {
+    const dvec3 f = forward(camera);
+    double far = 0;
+    for (const raster::Model& model : scene.models)
+        for (const pipeline::Vertex& v : model.mesh->vertices) {
+            const dvec3 p(model.world_from_object.m * dvec4(dvec3(v.position.v), 1));
+            if (const double d = dot(p - camera.corner, f); std::isfinite(d)) far = std::max(far, d);
+        }
+    return far;
+}
+
 raster::Camera raster_camera(const ReliefCamera& camera, double far) {
     const dmat3 axes = eye_axes(camera);
     const dvec3 eye = eye_place(camera);
@@ -121,7 +120,7 @@ Result<ReliefTexture> capture_raster(const raster::Scene& scene, const ReliefCam
     if (auto error = refusal(camera)) return *std::move(error);
     ReliefTexture texture = make_relief_texture(camera);
     raster::Scene seen = scene;
-    seen.camera = raster_camera(camera, farthest(scene, camera));
+    seen.camera = raster_camera(camera, depth_of_scene(scene, camera));
     settings.depth = raster::DepthFormat::Float32Reversed;
     raster::Frame frame{
         {camera.width, camera.height}, {camera.width, camera.height}, {camera.width, camera.height}};

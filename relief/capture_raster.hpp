@@ -17,6 +17,9 @@ namespace relevo::relief {
 // units. Skewed axes are no obstacle.
 raster::Camera raster_camera(const ReliefCamera& camera, double far);
 
+// How far the scene reaches behind the source's plane, in world units: the `far` that cuts nothing off.
+double depth_of_scene(const raster::Scene& scene, const ReliefCamera& camera);
+
 // The scene's own camera is not used. `settings` says how colours are made; the default is unlit, so that the
 // relief can be lit where it is shown. Refused: a camera that `refusal` refuses.
 Result<ReliefTexture> capture_raster(const raster::Scene& scene, const ReliefCamera& camera,
