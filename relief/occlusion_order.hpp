@@ -73,16 +73,11 @@ void for_each_in_order(const OcclusionOrder& order, int width, int height, Visit
 // the first.
 template <class Visit>
 void for_each_gap(double epipole, int count, bool toward, Visit&& visit) {
-    const int before = texels_before(epipole, count);
-    if (!toward) visit(before - 1);
-    if (toward) {
-        for (int k = -1; k < before - 1; ++k) visit(k);
-        for (int k = count - 1; k >= before; --k) visit(k);
-    } else {
-        for (int k = before - 2; k >= -1; --k) visit(k);
-        for (int k = before; k < count; ++k) visit(k);
-    }
-    if (toward) visit(before - 1);
+    const int before = texels_before(epipole, count), after = count - before;
+    const Run towards[3] = {{-1, 1, before}, {count - 1, -1, after}, {before - 1, 1, 1}},
+              away[3] = {{before - 1, 1, 1}, {before - 2, -1, before}, {before, 1, after}};
+    for (const Run& run : toward ? towards : away)
+        for (int i = 0, k = run.first; i < run.count; ++i, k += run.step) visit(k);
 }
 
 }  // namespace relevo::relief

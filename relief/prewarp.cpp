@@ -20,29 +20,29 @@ void clear(Image<Pixel>& image) {
 }
 
 template <bool maps>
-void resample(const ReliefTexture& texture, const Warp& warp, const PrewarpSettings& settings,
+void resample(const PreparedRelief& relief, const Warp& warp, const PrewarpSettings& settings,
               Prewarped& result) {
     switch (settings.resampler) {
         case Resampler::Splat:
-            return splat<maps>(texture, warp, settings, result);
+            return splat<maps>(relief, warp, settings, result);
         case Resampler::OneDimensional:
-            return resample_two_passes<maps>(OneDimensionalMethod{}, texture, warp, settings, result);
+            return resample_two_passes<maps>(OneDimensionalMethod{}, relief, warp, settings, result);
         case Resampler::Asymmetric:
-            return resample_two_passes<maps>(AsymmetricMethod{}, texture, warp, settings, result);
+            return resample_two_passes<maps>(AsymmetricMethod{}, relief, warp, settings, result);
         case Resampler::Compensated:
-            return resample_two_passes<maps>(CompensatedMethod{}, texture, warp, settings, result);
+            return resample_two_passes<maps>(CompensatedMethod{}, relief, warp, settings, result);
         case Resampler::Interleaved:
-            return resample_interleaved<maps>(texture, warp, settings, result);
+            return resample_interleaved<maps>(relief, warp, settings, result);
         case Resampler::Mesh:
-            return resample_mesh<maps>(texture, warp, settings, result);
+            return MeshResampler<maps>(relief, warp, result).run();
     }
 }
 
 }  // namespace
 
-void prewarp(const ReliefTexture& texture, const Warp& warp, const Window& window,
+void prewarp(const PreparedRelief& relief, const Warp& warp, const Window& window,
              const PrewarpSettings& settings, Prewarped& result) {
-    assert(warp.projection == texture.camera.projection);
+    assert(warp.projection == relief.camera.projection);
     assert(0 < window.width && window.width <= pipeline::max_picture_size);
     assert(0 < window.height && window.height <= pipeline::max_picture_size);
     assert(settings.threads >= 1);
@@ -54,14 +54,14 @@ void prewarp(const ReliefTexture& texture, const Warp& warp, const Window& windo
     fit(result.source, map_width, map_height), fit(result.kind, map_width, map_height);
     fit(result.writes, map_width, map_height);
     clear(result.coverage), clear(result.kind), clear(result.writes);
-    settings.maps ? resample<true>(texture, warp, settings, result)
-                  : resample<false>(texture, warp, settings, result);
+    settings.maps ? resample<true>(relief, warp, settings, result)
+                  : resample<false>(relief, warp, settings, result);
 }
 
 Prewarped prewarp(const ReliefTexture& texture, const Warp& warp, const Window& window,
                   const PrewarpSettings& settings) {
     Prewarped result;
-    prewarp(texture, warp, window, settings, result);
+    prewarp(prepare(texture, settings.jump, settings.jump_depth), warp, window, settings, result);
     return result;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 #include <vector>
 
+#include "raster/pixel.hpp"
+#include "relief/carried.hpp"
 #include "relief/occlusion_order.hpp"
 #include "relief/window.hpp"
 
@@ -22,6 +24,10 @@ enum class Resampler {
 // What happens between two neighbours of very different depth: a skin is stretched from one to the other, or
 // the surface is cut there.
 enum class Jump { Skin, Cut };
+
+// Between the texels k and k + 1 of a line: nothing, the half texels that stick out of them, or a connection.
+enum class Gap : std::uint8_t { Empty, AfterFirst, BeforeSecond, Cut, Joined, Across };
+inline bool sticks_out(Gap gap) { return gap < Gap::Joined; }
 
 struct PrewarpSettings {
     Resampler resampler = Resampler::Interleaved;
@@ -54,68 +60,27 @@ struct Prewarped {
     Image<std::uint16_t> writes;  // how often the pixel was painted (at most 65535)
 };
 
-// An interpolating resampler never holds more than this of a texel: all of it multiplied by the weight
-// h / (h + d), which makes each number linear in the warped picture (perspective-correct interpolation).
-template <bool maps>
-struct Carried {
-    static constexpr int size = maps ? 12 : 8;
-    enum Slot { red, green, blue, depth, normal_x, normal_y, normal_z, weight, source_u, source_v };
-    alignas(4 * sizeof(Scalar)) Scalar slot[size];
+// A relief texture laid out for warping. It depends on no viewer: made once, it serves all warps. What a
+// resampler reads together lies together; which neighbours hang together, and how the surface goes on where
+// it ends (resample_line.hpp), is known beforehand.
+struct PreparedRelief {
+    ReliefCamera camera;
+    Jump jump;
+    Scalar jump_depth;
+    std::vector<raster::Span> covered;  // of each row: from the first surface to behind the last
+    Image<Scalar> parameter;            // q of the warp; 0 where there is no surface
+    Image<Carried<false>> carried;
+    Image<Gap> gap;         // (k + 1, y): between the texels k and k + 1 of row y
+    Image<Scalar> slope_u;  // of the depth beyond a texel that ends a run of the row
 };
-
-template <bool maps>
-Carried<maps> lerp(const Carried<maps>& a, const Carried<maps>& b, Scalar t) {
-    Carried<maps> c;
-    for (int k = 0; k < Carried<maps>::size; ++k) c.slot[k] = a.slot[k] + t * (b.slot[k] - a.slot[k]);
-    return c;
-}
-
-// The constants of a warp as the loops use them: rounded once, and for a depth d behind the plane in world
-// units, of either source:
-//
-//     weight = 1 / (1 + d / h)     1 / (1 + k3 q) = weight + (weight d) / H     q / (1 + k3 q) = s (weight d)
-//
-// with H the height of the source's eye, 1 / H = 0 and s = 1 for an orthographic source, else s = -1 / H. So
-// the place in the warped picture is a sum of products of what is carried: linear, and without a division.
-struct DepthWarp {
-    Scalar inverse_h, inverse_source_h, k1s, k2s;
-    explicit DepthWarp(const Warp& warp)
-        : inverse_h(static_cast<Scalar>(1 / warp.h)),
-          inverse_source_h(static_cast<Scalar>(1 / warp.source_h)) {
-        const double s = warp.projection == Projection::Orthographic ? 1 : -1 / warp.source_h;
-        k1s = static_cast<Scalar>(s * warp.k1), k2s = static_cast<Scalar>(s * warp.k2);
-    }
-};
-
-// How much smaller the texel is drawn that carries c: 1 / (1 + k3 q).
-template <bool maps>
-Scalar texel_scale(const Carried<maps>& c, const DepthWarp& warp) {
-    return c.slot[c.weight] + c.slot[c.depth] * warp.inverse_source_h;
-}
-// The place u_i or v_i to which c goes from place u or v of the source; in texels of the plane.
-template <bool maps>
-Scalar warped_u_of(const Carried<maps>& c, Scalar u, const DepthWarp& warp) {
-    return u * texel_scale(c, warp) + c.slot[c.depth] * warp.k1s;
-}
-template <bool maps>
-Scalar warped_v_of(const Carried<maps>& c, Scalar v, const DepthWarp& warp) {
-    return v * texel_scale(c, warp) + c.slot[c.depth] * warp.k2s;
-}
-// The same colour and normal at another depth.
-template <bool maps>
-Carried<maps> at_depth(Carried<maps> c, Scalar depth, const DepthWarp& warp) {
-    const Scalar weight = 1 / (1 + depth * warp.inverse_h), change = weight / c.slot[c.weight];
-    for (Scalar& number : c.slot) number *= change;
-    c.slot[c.depth] = depth * weight, c.slot[c.weight] = weight;
-    return c;
-}
+PreparedRelief prepare(const ReliefTexture& texture, Jump jump = Jump::Skin, Scalar jump_depth = Scalar(0.1));
 
 // The warped picture. `window` is at most max_picture_size a side; texels that go beyond it are cut off. The
-// second form fills `result` and takes no new memory when it has the size already, for one picture after
-// another.
+// first form fills `result` and takes no new memory when it has the size already: for one picture after
+// another. (It goes by the jump rule of `relief`; the second prepares the texture by that of `settings`.)
+void prewarp(const PreparedRelief& relief, const Warp& warp, const Window& window,
+             const PrewarpSettings& settings, Prewarped& result);
 Prewarped prewarp(const ReliefTexture& texture, const Warp& warp, const Window& window,
                   const PrewarpSettings& settings = {});
-void prewarp(const ReliefTexture& texture, const Warp& warp, const Window& window,
-             const PrewarpSettings& settings, Prewarped& result);
 
 }  // namespace relevo::relief

@@ -12,9 +12,8 @@ namespace relevo::relief {
 struct AsymmetricMethod {
     static constexpr bool carries_row = true;
     template <bool maps>
-    static Carried<maps> between(const WarpedRow<maps>& row, int k, Scalar t, const DepthWarp&) {
-        return lerp(row.carried[k], row.carried[k + 1], t);
-    }
+    static void adjust(RowSample<maps>&, const Carried<maps>&, const Carried<maps>&, Scalar,
+                       const DepthWarp&) {}
 };
 
 }  // namespace relevo::relief

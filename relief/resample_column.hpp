@@ -1,8 +1,8 @@
 // The vertical half of every resampler: samples arrive row after row of the source, and each column paints
-// the pixels between the sample of this row and that of the row before.
+// the pixels between a sample of this row and one of the row before.
 //
-// A row may reach a column twice, where it folds. Both samples are connected to the row before, never to one
-// another: the next row sees the one that came last, which is the nearest.
+// Where a row folds it reaches a column several times. Each of the samples is connected to the row before,
+// never to one another, and there to the one that is nearest in depth: so sheets of the surface stay apart.
 #pragma once
 #include "relief/resample_row.hpp"
 
@@ -23,19 +23,15 @@ class Painter {
           width_(result.window.width),
           depth_test_(depth_test) {}
 
-    void paint(int x, int y, const Carried<maps>& c, Kind kind) const {
+    [[gnu::always_inline]] void paint(int x, int y, const Carried<maps>& c, Kind kind) const {
         const std::size_t i = std::size_t(y) * std::size_t(width_) + std::size_t(x);
-        const Scalar r = 1 / c.slot[c.weight], d = c.slot[c.depth] * r;
-        if constexpr (maps) writes_[i] += writes_[i] < 65535;
-        if (depth_test_ && coverage_[i] && depth_[i] < d) return;
-        color_[i] = {c.slot[c.red] * r, c.slot[c.green] * r, c.slot[c.blue] * r};
-        normal_[i] = {c.slot[c.normal_x] * r, c.slot[c.normal_y] * r, c.slot[c.normal_z] * r};
-        depth_[i] = d;
+        if constexpr (maps) writes_[i] = static_cast<std::uint16_t>(writes_[i] + (writes_[i] < 65535));
+        if (depth_test_ && coverage_[i] && depth_[i] < c.depth()) return;
+        color_[i] = {c.part[0][0], c.part[0][1], c.part[0][2]};
+        normal_[i] = {c.part[1][0], c.part[1][1], c.part[1][2]};
+        depth_[i] = c.depth();
         coverage_[i] = 1;
-        if constexpr (maps) {
-            source_[i] = {c.slot[c.source_u] * r, c.slot[c.source_v] * r};
-            kind_[i] = kind;
-        }
+        if constexpr (maps) source_[i] = {c.part[2][0], c.part[2][1]}, kind_[i] = kind;
     }
 
   private:
@@ -54,109 +50,137 @@ class Painter {
 template <bool maps>
 class ColumnResampler {
   public:
-    ColumnResampler(const DepthWarp& warp, const PrewarpSettings& settings, const Painter<maps>& painter,
+    ColumnResampler(const PreparedRelief& relief, const DepthWarp& warp, const Painter<maps>& painter,
                     const Window& window, int first, int last)
         : warp_(warp),
-          settings_(settings),
+          cut_(relief.jump == Jump::Cut),
+          jump_depth_(relief.jump_depth),
           painter_(painter),
-          window_(window),
+          y0_(static_cast<Scalar>(window.y0)),
+          height_(static_cast<Scalar>(window.height)),
           first_(first),
           before_(static_cast<std::size_t>(last - first)),
-          now_(before_.size()) {}
+          now_(static_cast<std::size_t>(last - first)) {}
 
-    // feed_row(y, sink) sends the samples of row y of the source to sink(x, sample); rows outside of
-    // 0..rows-1 are asked for, too, and have none.
+    // feed_row(y, emit) asks emit(x) for a place for each sample of row y of the source, in the order of
+    // painting; rows outside of 0..rows-1 are asked for, too, and have none.
     template <class FeedRow>
     void run(const OcclusionOrder& order, int rows, FeedRow&& feed_row) {
         const int above = texels_before(order.v, rows);
         int held = -2;  // the row in before_
+        const auto fill = [&](Line& line, int row) {
+            line.clear();
+            feed_row(row, [&](int x) -> RowSample<maps>& { return line.add(x, first_); });
+            for (int i = 0; i < line.count; ++i)
+                line.place[std::size_t(i)].pixel = first_pixel(line.place[std::size_t(i)].sample.v, height_);
+        };
         for_each_gap(order.v, rows, order.toward, [&](int k) {
             if (held != k && held != k + 1) {
                 held = (k < above) == order.toward ? k : k + 1;
-                clear(before_);
-                feed_row(held, [&](int x, const RowSample<maps>& sample) { keep(before_, x, sample); });
+                fill(before_, held);
             }
             const bool down = held == k;
             const int row = down ? k + 1 : k;
-            clear(now_);
-            if (down)
-                feed_row(row, [&](int x, const RowSample<maps>& sample) { arrive<true>(x, row, sample); });
-            else
-                feed_row(row, [&](int x, const RowSample<maps>& sample) { arrive<false>(x, row, sample); });
-            for (std::size_t i = 0; i < before_.size(); ++i)
-                if (before_[i].state == State::Open)
-                    stick_out(first_ + static_cast<int>(i), held, before_[i].sample, down ? 1 : -1);
+            fill(now_, row);
+            connect();
+            for (int i = 0; i < before_.count; ++i)
+                if (!before_.place[std::size_t(i)].connected)
+                    stick_out(held, before_.place[std::size_t(i)], down ? 1 : -1);
+            down ? paint_row<true>(row) : paint_row<false>(row);
             held = row;
             std::swap(before_, now_);
         });
     }
 
   private:
-    enum class State : std::uint8_t { Empty, Open, Connected };  // Open: nothing painted beyond it yet
     struct Place {
         RowSample<maps> sample;
-        int pixel;  // first_pixel(sample.v)
-        State state;
+        bool connected;  // with a sample of the next row
+        int x;
+        int pixel;   // first_pixel(sample.v)
+        int next;    // the sample that reached the column before it; -1: none
+        int before;  // the one of the row before with which it is connected; -1: none
     };
-    using Line = std::vector<Place>;
+    struct Line {
+        std::vector<Place> place;  // in the order of arrival, `count` of them
+        int count = 0;
+        std::vector<int> last;  // of each column; -1: none
+        explicit Line(std::size_t columns) : place(2 * columns), last(columns, -1) {}
+        void clear() {
+            count = 0;
+            std::fill(last.begin(), last.end(), -1);
+        }
+        RowSample<maps>& add(int x, int first) {
+            if (static_cast<std::size_t>(count) == place.size()) place.resize(2 * place.size());
+            int& before = last[static_cast<std::size_t>(x - first)];
+            Place& to = place[static_cast<std::size_t>(count)];
+            to.x = x, to.next = before, to.connected = false;
+            before = count++;
+            return to.sample;
+        }
+    };
 
-    static void clear(Line& line) {
-        for (Place& place : line) place.state = State::Empty;
-    }
-    Place& keep(Line& line, int x, const RowSample<maps>& sample) {
-        return line[static_cast<std::size_t>(x - first_)] = {sample, first_pixel(sample.v, window_.height),
-                                                             State::Open};
+    // Each sample of this row with the one of the row before, in its column, that is nearest in depth.
+    void connect() {
+        Place* const before = before_.place.data();
+        for (int i = 0; i < now_.count; ++i) {
+            Place& place = now_.place[static_cast<std::size_t>(i)];
+            int nearest = before_.last[static_cast<std::size_t>(place.x - first_)];
+            if (nearest >= 0 && (cut_ || before[nearest].next >= 0)) {
+                const Scalar depth = place.sample.carried.depth();
+                const auto apart = [&](int k) { return std::abs(before[k].sample.carried.depth() - depth); };
+                for (int k = before[nearest].next; k >= 0; k = before[k].next)
+                    if (apart(k) < apart(nearest)) nearest = k;
+                if (cut_ && apart(nearest) > jump_depth_) nearest = -1;
+            }
+            place.before = nearest;
+            if (nearest >= 0) before[nearest].connected = true;
+        }
     }
 
     template <bool down>
-    void arrive(int x, int row, const RowSample<maps>& sample) {
-        constexpr int back = down ? -1 : 1;
-        const Place& now = keep(now_, x, sample);
-        Place& before = before_[static_cast<std::size_t>(x - first_)];
-        if (before.state == State::Empty) return stick_out(x, row, sample, back);
-        const Carried<maps>&c = sample.carried, &b = before.sample.carried;
-        // whether the depths differ by more than the jump, both sides times both weights
-        const Scalar apart =
-            std::abs(b.slot[b.depth] * c.slot[c.weight] - c.slot[c.depth] * b.slot[b.weight]);
-        const bool jump = apart > settings_.jump_depth * (b.slot[b.weight] * c.slot[c.weight]);
-        if (jump && settings_.jump == Jump::Cut) {
-            if (before.state == State::Open) stick_out(x, row + back, before.sample, -back);
-            before.state = State::Connected;
-            return stick_out(x, row, sample, back);
+    void paint_row(int row) const {
+        const Place* const before = before_.place.data();
+        for (int i = 0; i < now_.count; ++i) {
+            const Place& place = now_.place[static_cast<std::size_t>(i)];
+            if (place.before < 0) {
+                stick_out(row, place, down ? -1 : 1);
+                continue;
+            }
+            const Place& other = before[place.before];
+            stretch(down ? other : place, down ? place : other);
         }
-        before.state = State::Connected;
-        down ? stretch(x, before, now, jump) : stretch(x, now, before, jump);
     }
 
     // From the sample of the upper source row to that of the lower one.
-    void stretch(int x, const Place& upper, const Place& lower, bool jump) const {
+    [[gnu::always_inline]] void stretch(const Place& upper, const Place& lower) const {
         const int from = std::min(upper.pixel, lower.pixel), to = std::max(upper.pixel, lower.pixel);
-        if (from == to) return;
         const RowSample<maps>&a = upper.sample, &b = lower.sample;
-        const Scalar inverse = 1 / (b.v - a.v);
+        const bool jump = maps && std::abs(a.carried.depth() - b.carried.depth()) > jump_depth_;
         for (int y = from; y < to; ++y) {
             const Scalar at = static_cast<Scalar>(y) + Scalar(0.5);
             const Kind kind = maps ? kind_between(at, a.v, b.v, a.kind, b.kind, jump) : Kind::Sampled;
-            painter_.paint(x, y, lerp(a.carried, b.carried, (at - a.v) * inverse), kind);
+            const Scalar share = corrected_share(a.weight, b.weight, at - a.v, b.v - at);
+            painter_.paint(upper.x, y, lerp(a.carried, b.carried, share), kind);
         }
     }
 
     // The half texel above (-1) or below (1) a sample of a row of the source that has no neighbour there.
-    void stick_out(int x, int row, const RowSample<maps>& a, int side) const {
-        const Carried<maps> end = half_texel_beyond(a.carried, a.slope, warp_);
-        const Scalar v_end = warped_v_of(end, static_cast<Scalar>(2 * row + 1 + side) / 2, warp_) -
-                             static_cast<Scalar>(window_.y0);
-        const int from = first_pixel(a.v, window_.height), to = first_pixel(v_end, window_.height);
-        const Scalar inverse = 1 / (v_end - a.v);
-        for (int y = std::min(from, to); y < std::max(from, to); ++y)
-            painter_.paint(x, y, lerp(a.carried, end, (static_cast<Scalar>(y) + Scalar(0.5) - a.v) * inverse),
-                           a.kind);
+    [[gnu::noinline]] void stick_out(int row, const Place& place, int side) const {
+        Place end = place;
+        RowSample<maps>& sample = end.sample;
+        const Scalar depth = depth_beyond(sample.carried.depth(), sample.carried.slope());
+        sample.carried.set_depth(depth), sample.weight = weight_at(depth, warp_);
+        sample.v = warped_v(static_cast<Scalar>(2 * row + 1 + side) / 2, depth, sample.weight, warp_) - y0_;
+        sample.kind = Kind::Sampled, end.pixel = first_pixel(sample.v, height_);
+        stretch(place, end);
     }
 
     DepthWarp warp_;
-    PrewarpSettings settings_;
+    bool cut_;
+    Scalar jump_depth_;
     Painter<maps> painter_;
-    Window window_;
+    Scalar y0_, height_;
     int first_;
     Line before_, now_;
 };

@@ -5,8 +5,8 @@
 //     d(t) = ((1 - t) d_A w_A + t d_B w_B) / ((1 - t) w_A + t w_B)        w = h / (h + d)
 //
 // That is (8-1) without the row in it, so it does not become 0 / 0 on the row of the epipole as the printed
-// form does; and it is nothing else but perspective-correct interpolation. Numerator and denominator are what
-// is carried, so not even the division is done here.
+// form does; and it is nothing else but perspective-correct interpolation, which all that is carried
+// undergoes (carried.hpp).
 #pragma once
 #include "relief/resample_two_passes.hpp"
 
@@ -15,9 +15,8 @@ namespace relevo::relief {
 struct CompensatedMethod {
     static constexpr bool carries_row = false;
     template <bool maps>
-    static Carried<maps> between(const WarpedRow<maps>& row, int k, Scalar t, const DepthWarp&) {
-        return lerp(row.carried[k], row.carried[k + 1], t);
-    }
+    static void adjust(RowSample<maps>&, const Carried<maps>&, const Carried<maps>&, Scalar,
+                       const DepthWarp&) {}
 };
 
 // The forms of the literature, for comparison. A and B are neighbours in the source's row v, of depth d_a and

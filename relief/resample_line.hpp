@@ -16,25 +16,27 @@
 
 namespace relevo::relief {
 
-// The first pixel of 0..size-1 whose centre is at `place` or beyond; `size` when there is none. Any finite
-// place.
-inline int first_pixel(Scalar place, int size) {
-    const Scalar x = std::clamp(place - Scalar(0.5), Scalar(0), static_cast<Scalar>(size));
+// The first pixel of 0..size-1 whose centre is at `place` or beyond; `size` when there is none. What is not a
+// number counts as 0.
+inline int first_pixel(Scalar place, Scalar size) {
+    Scalar x = place - Scalar(0.5);
+    x = x > 0 ? x : 0, x = x < size ? x : size;
     const int below = static_cast<int>(x);
-    return below + (x > static_cast<Scalar>(below));
+    return below + (static_cast<Scalar>(below) < x);
 }
 
-// Between the texels k and k + 1 of a line: nothing, the half texels that stick out of them, or a connection.
-enum class Gap : std::uint8_t { Empty, AfterFirst, BeforeSecond, Cut, Joined, Across };
-
-inline Gap gap(bool first_covered, bool second_covered, Scalar first_depth, Scalar second_depth,
-               const PrewarpSettings& settings) {
+inline Gap gap_between(bool first_covered, bool second_covered, Scalar first_depth, Scalar second_depth,
+                       Jump jump, Scalar jump_depth) {
     if (!first_covered || !second_covered)
         return static_cast<Gap>(int{first_covered} + 2 * int{second_covered});
-    if (!(std::abs(first_depth - second_depth) > settings.jump_depth)) return Gap::Joined;
-    return settings.jump == Jump::Cut ? Gap::Cut : Gap::Across;
+    if (!(std::abs(first_depth - second_depth) > jump_depth)) return Gap::Joined;
+    return jump == Jump::Cut ? Gap::Cut : Gap::Across;
 }
-inline bool sticks_out(Gap gap) { return gap < Gap::Joined; }
+
+inline bool is_covered(const PreparedRelief& relief, int x, int y) {
+    const Gap after = relief.gap.row(y)[x + 1];
+    return after != Gap::Empty && after != Gap::BeforeSecond;
+}
 
 // How fast the depth grows beyond a texel that sticks out on one side and is joined on the other, per texel;
 // else 0.
@@ -43,12 +45,7 @@ inline Scalar slope_beyond(Gap one, Scalar at_one, Gap other, Scalar at_other, S
     if (sticks_out(other) && one == Gap::Joined) return here - at_one;
     return 0;
 }
-// What is carried half a texel beyond c.
-template <bool maps>
-Carried<maps> half_texel_beyond(const Carried<maps>& c, Scalar slope, const DepthWarp& warp) {
-    const Scalar depth = c.slot[c.depth] / c.slot[c.weight];
-    return at_depth(c, std::max(depth + slope, Scalar(0)), warp);
-}
+inline Scalar depth_beyond(Scalar depth, Scalar slope) { return std::max(depth + slope, Scalar(0)); }
 
 // What a pixel at `x` between a and b is: one of them when it is within half a pixel, else invented.
 inline Kind kind_between(Scalar x, Scalar a, Scalar b, Kind kind_a, Kind kind_b, bool across) {

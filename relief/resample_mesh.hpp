@@ -2,7 +2,7 @@
 // rasterized exactly (raster/triangle_edge.hpp) and compared by depth. No order to trust, no pass after pass;
 // slow.
 //
-// What is carried is linear in the warped picture, so the triangle's own weights interpolate it. Where a cell
+// The triangle's own weights, corrected for the perspective, interpolate what is carried. Where a cell
 // lacks a corner, or is cut, its texels still have the half texel of their own that the other resamplers give
 // them. Corners are snapped to 1/256 pixel; those farther than a picture's width beyond the window are moved
 // there.
@@ -14,63 +14,60 @@ namespace relevo::relief {
 
 template <bool maps>
 struct MeshCorner {
-    Scalar u, v;
+    Scalar u, v, weight;
     Carried<maps> carried;
-    Scalar source_u, source_v, slope_u, slope_v;
+    Scalar source_u, source_v, slope_u;
 };
 
 template <bool maps>
 class MeshResampler {
   public:
-    MeshResampler(const ReliefTexture& texture, const Warp& warp, const PrewarpSettings& settings,
-                  Prewarped& result)
-        : texture_(texture),
+    MeshResampler(const PreparedRelief& relief, const Warp& warp, Prewarped& result)
+        : relief_(relief),
           warp_(warp),
-          settings_(settings),
+          constants_(warp),
           window_(result.window),
           painter_(result, true),
-          warp_row_(texture, warp, result.window, settings),
-          upper_(texture.camera.width),
-          lower_(texture.camera.width) {}
+          upper_(relief.camera.width),
+          lower_(relief.camera.width) {}
 
     void run() {
-        const int height = texture_.camera.height;
+        const int height = relief_.camera.height;
         for (int y = -1; y < height; ++y) {  // cells between the rows y and y + 1
             std::swap(upper_, lower_);
-            if (y + 1 < height) warp_row_(y + 1, lower_);
-            for (int x = -1; x < texture_.camera.width; ++x) draw_cell(x, y);
+            if (y + 1 < height) warp_row(relief_, warp_, window_, y + 1, lower_);
+            for (int x = -1; x < relief_.camera.width; ++x) draw_cell(x, y);
         }
     }
 
   private:
     using Corner = MeshCorner<maps>;
 
-    const WarpedRow<maps>& row(int dy) const { return dy ? lower_ : upper_; }
-    bool covered(int x, int y) const { return texture_.coverage.holds(x, y) && texture_.coverage.at(x, y); }
-    Corner corner(int x, int dy) const {
+    bool covered(int x, int y) const { return relief_.carried.holds(x, y) && is_covered(relief_, x, y); }
+    Corner corner(int x, const WarpedRow& row) const {
         const auto k = static_cast<std::size_t>(x);
-        const WarpedRow<maps>& from = row(dy);
-        return {from.u[k],
-                from.v[k],
-                from.carried[k],
+        return {row.u[k],
+                row.v[k],
+                row.weight[k],
+                carried_by<maps>(relief_, x, row.y),
                 static_cast<Scalar>(x) + Scalar(0.5),
-                static_cast<Scalar>(from.y) + Scalar(0.5),
-                from.slope_u[k],
-                from.slope_v[k]};
+                static_cast<Scalar>(row.y) + Scalar(0.5),
+                relief_.slope_u.at(x, row.y)};
     }
     // Half a texel away, along each axis: -1, 0 or 1.
     Corner moved(Corner c, int along_u, int along_v) const {
-        const DepthWarp warp(warp_);
-        c.carried = half_texel_beyond(c.carried, (along_u ? c.slope_u : 0) + (along_v ? c.slope_v : 0), warp);
+        const Scalar slope = (along_u ? c.slope_u : 0) + (along_v ? c.carried.slope() : 0),
+                     depth = depth_beyond(c.carried.depth(), slope);
+        c.carried.set_depth(depth), c.weight = weight_at(depth, constants_);
         c.source_u += Scalar(0.5) * static_cast<Scalar>(along_u);
         c.source_v += Scalar(0.5) * static_cast<Scalar>(along_v);
-        c.u = warped_u_of(c.carried, c.source_u, warp) - static_cast<Scalar>(window_.x0);
-        c.v = warped_v_of(c.carried, c.source_v, warp) - static_cast<Scalar>(window_.y0);
+        c.u = warped_u(c.source_u, depth, c.weight, constants_) - static_cast<Scalar>(window_.x0);
+        c.v = warped_v(c.source_v, depth, c.weight, constants_) - static_cast<Scalar>(window_.y0);
         return c;
     }
     Gap between(const Corner& a, const Corner& b) const {
-        const auto depth = [](const Carried<maps>& c) { return c.slot[c.depth] / c.slot[c.weight]; };
-        return gap(true, true, depth(a.carried), depth(b.carried), settings_);
+        return gap_between(true, true, a.carried.depth(), b.carried.depth(), relief_.jump,
+                           relief_.jump_depth);
     }
 
     // The cell whose corners are the texels (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1).
@@ -79,7 +76,7 @@ class MeshResampler {
         bool there[4], all = true;
         for (int i = 0; i < 4; ++i) {
             there[i] = covered(x + i % 2, y + i / 2), all &= there[i];
-            if (there[i]) c[i] = corner(x + i % 2, i / 2);
+            if (there[i]) c[i] = corner(x + i % 2, i / 2 ? lower_ : upper_);
         }
         bool across = false, cut = false;
         if (all)
@@ -124,15 +121,15 @@ class MeshResampler {
         raster::for_each_span(triangle, box, [&](int y, raster::Span span, raster::EdgeValues) {
             for (int x = span.x0; x < span.x1; ++x) {
                 const raster::EdgeValues e = raster::edge_values(triangle, x, y);
-                const auto share = [&](std::int64_t value) {
-                    return static_cast<Scalar>(static_cast<double>(value) /
-                                               static_cast<double>(triangle.area));
-                };
-                const Scalar b1 = share(e.e1), b2 = share(e.e2);
+                const double w0 = static_cast<double>(e.e0) * double{corner[i0]->weight},
+                             w1 = static_cast<double>(e.e1) * double{corner[i1]->weight},
+                             w2 = static_cast<double>(e.e2) * double{corner[i2]->weight},
+                             sum = w0 + (w1 + w2);
+                const Scalar b1 = static_cast<Scalar>(w1 / sum), b2 = static_cast<Scalar>(w2 / sum);
                 Carried<maps> mixed;
-                for (int k = 0; k < Carried<maps>::size; ++k)
-                    mixed.slot[k] =
-                        c0.slot[k] + (b1 * (c1.slot[k] - c0.slot[k]) + b2 * (c2.slot[k] - c0.slot[k]));
+                for (int k = 0; k < Carried<maps>::parts; ++k)
+                    mixed.part[k] =
+                        c0.part[k] + (b1 * (c1.part[k] - c0.part[k]) + b2 * (c2.part[k] - c0.part[k]));
                 painter_.paint(x, y, mixed, is_near(x, y, a, b, c) ? Kind::Sampled : filled);
             }
         });
@@ -156,19 +153,12 @@ class MeshResampler {
         return {on_grid(c.u), on_grid(c.v), 0, 0};
     }
 
-    const ReliefTexture& texture_;
+    const PreparedRelief& relief_;
     Warp warp_;
-    PrewarpSettings settings_;
+    DepthWarp constants_;
     Window window_;
     Painter<maps> painter_;
-    RowWarper<maps> warp_row_;
-    WarpedRow<maps> upper_, lower_;
+    WarpedRow upper_, lower_;
 };
-
-template <bool maps>
-void resample_mesh(const ReliefTexture& texture, const Warp& warp, const PrewarpSettings& settings,
-                   Prewarped& result) {
-    MeshResampler<maps>(texture, warp, settings, result).run();
-}
 
 }  // namespace relevo::relief

@@ -14,9 +14,10 @@ namespace relevo::relief {
 struct OneDimensionalMethod {
     static constexpr bool carries_row = false;
     template <bool maps>
-    static Carried<maps> between(const WarpedRow<maps>& row, int k, Scalar t, const DepthWarp& warp) {
-        const Scalar depth = row.depth[k] + t * (row.depth[k + 1] - row.depth[k]);
-        return at_depth(lerp(row.carried[k], row.carried[k + 1], t), depth, warp);
+    static void adjust(RowSample<maps>& sample, const Carried<maps>& a, const Carried<maps>& b, Scalar t,
+                       const DepthWarp& warp) {
+        sample.carried.set_depth(a.depth() + t * (b.depth() - a.depth()));
+        sample.weight = weight_at(sample.carried.depth(), warp);
     }
 };
 

@@ -8,10 +8,12 @@
 // folds, the nearest.
 //
 // A method is a struct with
-//   static Carried between(row, k, t, warp)    what is carried at t between the texels k and k + 1
-//   carries_row                                whether the row where a sample goes is carried along; else it
-//   is found
-//                                              from the displacement
+//   static void adjust(sample, a, b, t, warp)  what it does to a sample at t between a and b that was
+//   interpolated
+//                                              perspective-correctly, with its row carried along
+//   carries_row                                whether pass 2 takes the row that was carried; else it finds
+//   the
+//                                              row by itself, from the displacement
 #pragma once
 #include "raster/fast/workers.hpp"
 #include "relief/resample_column.hpp"
@@ -30,46 +32,45 @@ struct RowsResampled {
 };
 
 template <bool maps, class Method, class Probe = const pipeline::NoProbe>
-void resample_two_passes(Method, const ReliefTexture& texture, const Warp& warp,
+void resample_two_passes(Method, const PreparedRelief& relief, const Warp& warp,
                          const PrewarpSettings& settings, Prewarped& result, Probe&& probe = {}) {
     const DepthWarp constants(warp);
     const OcclusionOrder order = occlusion_order(warp, settings.painting);
     const Window& window = result.window;
-    const RowWarper<maps> warp_row(texture, warp, window, settings);
-    const int rows = texture.camera.height;
+    const int rows = relief.camera.height;
     RowSamples<maps> samples(window.width, rows);
     raster::fast::Workers workers(settings.threads, false);
     const int bands = settings.threads > 1 ? 8 * settings.threads : 1;
     const auto cut = [&](int band, int size) { return static_cast<int>(std::int64_t{size} * band / bands); };
 
     workers.run(bands, [&](int band, int) {
-        WarpedRow<maps> row(texture.camera.width);
+        WarpedRow row(relief.camera.width);
         for (int y = cut(band, rows); y < cut(band + 1, rows); ++y) {
             RowSample<maps>* const to = samples.row(y);
-            warp_row(y, row);
-            resample_row(
-                row, constants, order, window,
-                [&](int k, Scalar t) { return Method::between(row, k, t, constants); },
-                [&](int x, const RowSample<maps>& sample) {
-                    to[x] = sample;
-                    if (!Method::carries_row)
-                        to[x].v =
-                            warped_v_of(sample.carried, static_cast<Scalar>(y) + Scalar(0.5), constants) -
-                            static_cast<Scalar>(window.y0);
-                });
+            warp_row(relief, warp, window, y, row);
+            resample_row<maps, Method>(relief, row, constants, order, window,
+                                       [&](int x) -> RowSample<maps>& { return to[x]; });
         }
     });
     pipeline::note<RowsResampled<maps>>(probe, samples, window);
 
     workers.run(bands, [&](int band, int) {
         const int first = cut(band, window.width), last = cut(band + 1, window.width);
-        ColumnResampler<maps> columns(constants, settings, Painter<maps>(result, settings.depth_test), window,
+        const Scalar y0 = static_cast<Scalar>(window.y0);
+        ColumnResampler<maps> columns(relief, constants, Painter<maps>(result, settings.depth_test), window,
                                       first, last);
-        columns.run(order, rows, [&](int y, auto&& sink) {
+        columns.run(order, rows, [&](int y, auto&& emit) {
             if (y < 0 || y >= rows) return;
             const RowSample<maps>* const from = samples.row(y);
-            for (int x = first; x < last; ++x)
-                if (from[x].kind != Kind::Empty) sink(x, from[x]);
+            for (int x = first; x < last; ++x) {
+                if (from[x].kind == Kind::Empty) continue;
+                RowSample<maps>& sample = emit(x);
+                sample = from[x];
+                if (!Method::carries_row)
+                    sample.v = warped_v(static_cast<Scalar>(y) + Scalar(0.5), sample.carried.depth(),
+                                        sample.weight, constants) -
+                               y0;
+            }
         });
     });
 }

@@ -6,23 +6,21 @@
 namespace relevo::relief {
 
 template <bool maps>
-void splat(const ReliefTexture& texture, const Warp& warp, const PrewarpSettings& settings,
+void splat(const PreparedRelief& relief, const Warp& warp, const PrewarpSettings& settings,
            Prewarped& result) {
     const Window& window = result.window;
     const Painter<maps> painter(result, settings.depth_test);
-    const RowWarper<maps> warp_row(texture, warp, window, settings);
-    WarpedRow<maps> row(texture.camera.width);
-    row.y = -1;
-    for_each_in_order(
-        occlusion_order(warp, settings.painting), texture.camera.width, texture.camera.height,
-        [&](int x, int y) {
-            if (row.y != y) warp_row(y, row);
-            const Scalar u = row.u[x], v = row.v[x];
-            if (!texture.coverage.row(y)[x] || !(u >= 0 && u < static_cast<Scalar>(window.width)) ||
-                !(v >= 0 && v < static_cast<Scalar>(window.height)))
-                return;
-            painter.paint(static_cast<int>(u), static_cast<int>(v), row.carried[x], Kind::Sampled);
-        });
+    const Scalar width = static_cast<Scalar>(window.width), height = static_cast<Scalar>(window.height);
+    WarpedRow row(relief.camera.width);
+    for_each_in_order(occlusion_order(warp, settings.painting), relief.camera.width, relief.camera.height,
+                      [&](int x, int y) {
+                          if (row.y != y) warp_row(relief, warp, window, y, row);
+                          const Scalar u = row.u[std::size_t(x)], v = row.v[std::size_t(x)];
+                          if (!is_covered(relief, x, y) || !(u >= 0 && u < width && v >= 0 && v < height))
+                              return;
+                          painter.paint(static_cast<int>(u), static_cast<int>(v),
+                                        carried_by<maps>(relief, x, y), Kind::Sampled);
+                      });
 }
 
 }  // namespace relevo::relief
