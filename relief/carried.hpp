@@ -44,29 +44,32 @@ inline Scalar corrected_share(Scalar weight_a, Scalar weight_b, Scalar from_a, S
 }
 
 // The constants of a warp as the loops use them: rounded once, and for a depth d behind the plane in world
-// units, of either source:
-//
-//     w = 1 / (1 + d / h)       1 / (1 + k3 q) = w (1 + d / H)       q / (1 + k3 q) = w d s
-//
-// with H the height of the source's eye, 1 / H = 0 and s = 1 for an orthographic source, else s = -1 / H. So
-// the place in the warped picture needs no division once the weight is known.
+// units, of either source: q = d of an orthographic one, q = -d / (H + d) of a perspective one whose eye is H
+// from the plane.
 struct DepthWarp {
-    Scalar inverse_h, inverse_source_h, k1s, k2s;
+    Scalar k1, k2, k3, inverse_h;
+    Scalar inverse_source_h;  // 1 / H; 0: orthographic
     explicit DepthWarp(const Warp& warp)
-        : inverse_h(static_cast<Scalar>(1 / warp.h)),
-          inverse_source_h(static_cast<Scalar>(1 / warp.source_h)) {
-        const double s = warp.projection == Projection::Orthographic ? 1 : -1 / warp.source_h;
-        k1s = static_cast<Scalar>(s * warp.k1), k2s = static_cast<Scalar>(s * warp.k2);
-    }
+        : k1(static_cast<Scalar>(warp.k1)),
+          k2(static_cast<Scalar>(warp.k2)),
+          k3(static_cast<Scalar>(warp.k3)),
+          inverse_h(static_cast<Scalar>(1 / warp.h)),
+          inverse_source_h(static_cast<Scalar>(1 / warp.source_h)) {}
 };
 
 inline Scalar weight_at(Scalar depth, const DepthWarp& warp) { return 1 / (1 + depth * warp.inverse_h); }
-// The place u_i or v_i to which depth and weight take place u or v of the source; in texels of the plane.
-inline Scalar warped_u(Scalar u, Scalar depth, Scalar weight, const DepthWarp& warp) {
-    return weight * (u * (1 + depth * warp.inverse_source_h) + depth * warp.k1s);
+inline Scalar parameter_at(Scalar depth, const DepthWarp& warp) {
+    const Scalar share = depth * warp.inverse_source_h;
+    return warp.inverse_source_h == 0 ? depth : -share / (1 + share);
 }
-inline Scalar warped_v(Scalar v, Scalar depth, Scalar weight, const DepthWarp& warp) {
-    return weight * (v * (1 + depth * warp.inverse_source_h) + depth * warp.k2s);
+// The place u_i or v_i to which a depth takes place u or v of the source; in texels of the plane.
+inline Scalar warped_u(Scalar u, Scalar depth, const DepthWarp& warp) {
+    const Scalar q = parameter_at(depth, warp);
+    return (u + warp.k1 * q) * (1 / (1 + warp.k3 * q));
+}
+inline Scalar warped_v(Scalar v, Scalar depth, const DepthWarp& warp) {
+    const Scalar q = parameter_at(depth, warp);
+    return (v + warp.k2 * q) * (1 / (1 + warp.k3 * q));
 }
 
 }  // namespace relevo::relief

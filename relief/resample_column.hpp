@@ -171,7 +171,7 @@ class ColumnResampler {
         RowSample<maps>& sample = end.sample;
         const Scalar depth = depth_beyond(sample.carried.depth(), sample.carried.slope());
         sample.carried.set_depth(depth), sample.weight = weight_at(depth, warp_);
-        sample.v = warped_v(static_cast<Scalar>(2 * row + 1 + side) / 2, depth, sample.weight, warp_) - y0_;
+        sample.v = warped_v(static_cast<Scalar>(2 * row + 1 + side) / 2, depth, warp_) - y0_;
         sample.kind = Kind::Sampled, end.pixel = first_pixel(sample.v, height_);
         stretch(place, end);
     }

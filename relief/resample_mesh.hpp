@@ -61,8 +61,8 @@ class MeshResampler {
         c.carried.set_depth(depth), c.weight = weight_at(depth, constants_);
         c.source_u += Scalar(0.5) * static_cast<Scalar>(along_u);
         c.source_v += Scalar(0.5) * static_cast<Scalar>(along_v);
-        c.u = warped_u(c.source_u, depth, c.weight, constants_) - static_cast<Scalar>(window_.x0);
-        c.v = warped_v(c.source_v, depth, c.weight, constants_) - static_cast<Scalar>(window_.y0);
+        c.u = warped_u(c.source_u, depth, constants_) - static_cast<Scalar>(window_.x0);
+        c.v = warped_v(c.source_v, depth, constants_) - static_cast<Scalar>(window_.y0);
         return c;
     }
     Gap between(const Corner& a, const Corner& b) const {

@@ -99,9 +99,9 @@ template <bool maps, class Method, class Emit>
     Carried<maps> end = c;
     const Scalar depth = depth_beyond(c.depth(), relief.slope_u.row(row.y)[k]),
                  weight = weight_at(depth, warp),
-                 u = warped_u(static_cast<Scalar>(2 * k + 1 + side) / 2, depth, weight, warp) -
+                 u = warped_u(static_cast<Scalar>(2 * k + 1 + side) / 2, depth, warp) -
                      static_cast<Scalar>(window.x0),
-                 v = warped_v(static_cast<Scalar>(row.y) + Scalar(0.5), depth, weight, warp) -
+                 v = warped_v(static_cast<Scalar>(row.y) + Scalar(0.5), depth, warp) -
                      static_cast<Scalar>(window.y0);
     end.set_depth(depth);
     sample_between<maps, Method>({c, row.u[i], row.v[i], row.weight[i], row.column[i]},

@@ -67,9 +67,9 @@ void resample_two_passes(Method, const PreparedRelief& relief, const Warp& warp,
                 RowSample<maps>& sample = emit(x);
                 sample = from[x];
                 if (!Method::carries_row)
-                    sample.v = warped_v(static_cast<Scalar>(y) + Scalar(0.5), sample.carried.depth(),
-                                        sample.weight, constants) -
-                               y0;
+                    sample.v =
+                        warped_v(static_cast<Scalar>(y) + Scalar(0.5), sample.carried.depth(), constants) -
+                        y0;
             }
         });
     });
