@@ -49,7 +49,7 @@ class MeshResampler {
         return {row.u[k],
                 row.v[k],
                 row.weight[k],
-                carried_by<maps>(relief_, x, row.y),
+                carried_by<maps>(relief_.carried.at(x, row.y), x, row.y),
                 static_cast<Scalar>(x) + Scalar(0.5),
                 static_cast<Scalar>(row.y) + Scalar(0.5),
                 relief_.slope_u.at(x, row.y)};

@@ -51,10 +51,9 @@ struct RowSample {
     Kind kind = Kind::Empty;
 };
 
-// What texel (x, y) carries; the maps want to know where it came from, too.
+// What texel (x, y) carries, c, as a resampler takes it along: the maps want to know where it came from, too.
 template <bool maps>
-[[gnu::always_inline]] inline decltype(auto) carried_by(const PreparedRelief& relief, int x, int y) {
-    const Carried<false>& c = relief.carried.row(y)[x];
+[[gnu::always_inline]] inline decltype(auto) carried_by(const Carried<false>& c, int x, int y) {
     if constexpr (maps)
         return Carried<true>{
             {c.part[0], c.part[1],
@@ -95,7 +94,7 @@ template <bool maps, class Method, class Emit>
 [[gnu::noinline]] void stick_out_of_row(const PreparedRelief& relief, const WarpedRow& row, int k, int side,
                                         const DepthWarp& warp, const Window& window, Emit& emit) {
     const auto i = static_cast<std::size_t>(k);
-    const Carried<maps> c = carried_by<maps>(relief, k, row.y);
+    const Carried<maps> c = carried_by<maps>(relief.carried.row(row.y)[k], k, row.y);
     Carried<maps> end = c;
     const Scalar depth = depth_beyond(c.depth(), relief.slope_u.row(row.y)[k]),
                  weight = weight_at(depth, warp),
@@ -117,15 +116,18 @@ void resample_row(const PreparedRelief& relief, const WarpedRow& row, const Dept
     const raster::Span covered = relief.covered[std::size_t(row.y)];
     if (covered.x0 >= covered.x1) return;
     const Gap* const gaps = relief.gap.row(row.y) + 1;
+    const Carried<false>* const carried = relief.carried.row(row.y);
     const Scalar *const u = row.u.data(), *const v = row.v.data(), *const weight = row.weight.data();
-    const int* const column = row.column.data();
+    const int *const column = row.column.data(), y = row.y;
     for_each_gap(order.u - covered.x0, covered.x1 - covered.x0, order.toward, [&](int i) {
         const int k = i + covered.x0;
         const Gap gap = gaps[k];
         if (gap >= Gap::Joined) {
+            if (column[k] == column[k + 1]) return;
             sample_between<maps, Method>(
-                {carried_by<maps>(relief, k, row.y), u[k], v[k], weight[k], column[k]},
-                {carried_by<maps>(relief, k + 1, row.y), u[k + 1], v[k + 1], weight[k + 1], column[k + 1]},
+                {carried_by<maps>(carried[k], k, y), u[k], v[k], weight[k], column[k]},
+                {carried_by<maps>(carried[k + 1], k + 1, y), u[k + 1], v[k + 1], weight[k + 1],
+                 column[k + 1]},
                 gap == Gap::Across, warp, emit);
         } else if (gap != Gap::Empty) {
             if (gap != Gap::BeforeSecond)

@@ -19,7 +19,7 @@ void splat(const PreparedRelief& relief, const Warp& warp, const PrewarpSettings
                           if (!is_covered(relief, x, y) || !(u >= 0 && u < width && v >= 0 && v < height))
                               return;
                           painter.paint(static_cast<int>(u), static_cast<int>(v),
-                                        carried_by<maps>(relief, x, y), Kind::Sampled);
+                                        carried_by<maps>(relief.carried.at(x, y), x, y), Kind::Sampled);
                       });
 }
 
