@@ -70,9 +70,10 @@ class ColumnResampler {
         int held = -2;  // the row in before_
         const auto fill = [&](Line& line, int row) {
             line.clear();
-            feed_row(row, [&](int x) -> RowSample<maps>& { return line.add(x, first_); });
+            feed_row(row, [&line, first = first_](int x) -> RowSample<maps>& { return line.add(x, first); });
             for (int i = 0; i < line.count; ++i)
-                line.place[std::size_t(i)].pixel = first_pixel(line.place[std::size_t(i)].sample.v, height_);
+                line.place[std::size_t(i)].pixel =
+                    static_cast<std::int16_t>(first_pixel(line.place[std::size_t(i)].sample.v, height_));
         };
         for_each_gap(order.v, rows, order.toward, [&](int k) {
             if (held != k && held != k + 1) {
@@ -95,27 +96,28 @@ class ColumnResampler {
   private:
     struct Place {
         RowSample<maps> sample;
-        bool connected;  // with a sample of the next row
-        int x;
-        int pixel;   // first_pixel(sample.v)
-        int next;    // the sample that reached the column before it; -1: none
-        int before;  // the one of the row before with which it is connected; -1: none
+        bool connected;         // with a sample of the next row
+        std::int16_t x, pixel;  // first_pixel(sample.v); both at most max_picture_size
+        int next;               // the sample that reached the column before it; -1: none
+        int before;             // the one of the row before with which it is connected; -1: none
     };
     struct Line {
         std::vector<Place> place;  // in the order of arrival, `count` of them
-        int count = 0;
+        int count = 0, room;
         std::vector<int> last;  // of each column; -1: none
-        explicit Line(std::size_t columns) : place(2 * columns), last(columns, -1) {}
+        explicit Line(std::size_t columns)
+            : place(2 * columns), room(static_cast<int>(2 * columns)), last(columns, -1) {}
         void clear() {
             count = 0;
             std::fill(last.begin(), last.end(), -1);
         }
+        void grow() { place.resize(2 * place.size()), room *= 2; }
         RowSample<maps>& add(int x, int first) {
-            if (static_cast<std::size_t>(count) == place.size()) place.resize(2 * place.size());
-            int& before = last[static_cast<std::size_t>(x - first)];
+            if (count == room) grow();
+            int& newest = last[static_cast<std::size_t>(x - first)];
             Place& to = place[static_cast<std::size_t>(count)];
-            to.x = x, to.next = before, to.connected = false;
-            before = count++;
+            to.x = static_cast<std::int16_t>(x), to.next = newest, to.connected = false;
+            newest = count++;
             return to.sample;
         }
     };
@@ -172,7 +174,7 @@ class ColumnResampler {
         const Scalar depth = depth_beyond(sample.carried.depth(), sample.carried.slope());
         sample.carried.set_depth(depth), sample.weight = weight_at(depth, warp_);
         sample.v = warped_v(static_cast<Scalar>(2 * row + 1 + side) / 2, depth, warp_) - y0_;
-        sample.kind = Kind::Sampled, end.pixel = first_pixel(sample.v, height_);
+        sample.kind = Kind::Sampled, end.pixel = static_cast<std::int16_t>(first_pixel(sample.v, height_));
         stretch(place, end);
     }
 

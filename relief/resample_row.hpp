@@ -119,23 +119,24 @@ void resample_row(const PreparedRelief& relief, const WarpedRow& row, const Dept
     const Carried<false>* const carried = relief.carried.row(row.y);
     const Scalar *const u = row.u.data(), *const v = row.v.data(), *const weight = row.weight.data();
     const int *const column = row.column.data(), y = row.y;
-    for_each_gap(order.u - covered.x0, covered.x1 - covered.x0, order.toward, [&](int i) {
-        const int k = i + covered.x0;
-        const Gap gap = gaps[k];
-        if (gap >= Gap::Joined) {
-            if (column[k] == column[k + 1]) return;
-            sample_between<maps, Method>(
-                {carried_by<maps>(carried[k], k, y), u[k], v[k], weight[k], column[k]},
-                {carried_by<maps>(carried[k + 1], k + 1, y), u[k + 1], v[k + 1], weight[k + 1],
-                 column[k + 1]},
-                gap == Gap::Across, warp, emit);
-        } else if (gap != Gap::Empty) {
-            if (gap != Gap::BeforeSecond)
-                stick_out_of_row<maps, Method>(relief, row, k, 1, warp, window, emit);
-            if (gap != Gap::AfterFirst)
-                stick_out_of_row<maps, Method>(relief, row, k + 1, -1, warp, window, emit);
-        }
-    });
+    for_each_gap(order.u - covered.x0, covered.x1 - covered.x0, order.toward,
+                 [=, &relief, &row, &warp, &window, &emit](int i) {
+                     const int k = i + covered.x0;
+                     const Gap gap = gaps[k];
+                     if (gap >= Gap::Joined) {
+                         if (column[k] == column[k + 1]) return;
+                         sample_between<maps, Method>(
+                             {carried_by<maps>(carried[k], k, y), u[k], v[k], weight[k], column[k]},
+                             {carried_by<maps>(carried[k + 1], k + 1, y), u[k + 1], v[k + 1], weight[k + 1],
+                              column[k + 1]},
+                             gap == Gap::Across, warp, emit);
+                     } else if (gap != Gap::Empty) {
+                         if (gap != Gap::BeforeSecond)
+                             stick_out_of_row<maps, Method>(relief, row, k, 1, warp, window, emit);
+                         if (gap != Gap::AfterFirst)
+                             stick_out_of_row<maps, Method>(relief, row, k + 1, -1, warp, window, emit);
+                     }
+                 });
 }
 
 }  // namespace relevo::relief
