@@ -115,7 +115,7 @@ class MeshResampler {
         const raster::PixelBox box = raster::pixel_box(s, window_.width, window_.height);
         if (area == 0 || box.empty()) return;
         const raster::CornerOrder order = raster::canonical_order(s[0], s[1], s[2], area > 0);
-        const auto& [i0, i1, i2] = order.index;
+        const int i0 = order.index[0], i1 = order.index[1], i2 = order.index[2];
         const raster::Triangle triangle = raster::make_triangle(s[i0], s[i1], s[i2]);
         const Carried<maps>&c0 = corner[i0]->carried, &c1 = corner[i1]->carried, &c2 = corner[i2]->carried;
         raster::for_each_span(triangle, box, [&](int y, raster::Span span, raster::EdgeValues) {

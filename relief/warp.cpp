@@ -39,7 +39,8 @@ double height_of_source(const ReliefCamera& camera, const dvec3& f) {
 Result<Warp> make_warp(const ReliefCamera& camera, const Viewer& viewer) {
     const auto found = sight(camera, viewer);
     if (!found) return found.error();
-    const auto& [f, c, w, distance] = *found;
+    const dvec3 &f = found->f, &c = found->c;
+    const double w = found->w;
     const dvec3 &a = camera.a, &b = camera.b, ab = cross(a, b), bc = cross(b, c), ca = cross(c, a);
     const auto warp = [&](const dvec3& across, double k3) {
         return Warp{camera.projection, dot(across, bc) / dot(a, bc), dot(across, ca) / dot(b, ca), k3,
