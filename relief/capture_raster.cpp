@@ -34,6 +34,7 @@ class FragmentKeeper {
 
     void on(const raster::FragmentShaded& fragment) {
         const auto& carried = fragment.varying;
+        if (carried.size() < 6) return;  // not Phong's
         const dvec3 point = eye_ + axes_ * dvec3(carried[0], carried[1], carried[2]);
         dvec3 normal = axes_ * dvec3(carried[3], carried[4], carried[5]);
         const dvec3 face = face_normal(fragment.primitive);
