@@ -7,7 +7,8 @@
 // A cell whose four texels are covered and lie within `jump` of one another (world units along f) becomes two
 // triangles; otherwise each of its texels keeps its own quarter of the cell, at its own depth. What a texel
 // shows is one side of the surface: triangles that turn their back to the viewer, seen from where the source
-// is not, are not drawn. Depth and colour are perspective-correct.
+// is not, are drawn only when the texture holds surfaces of both sides. Depth and colour are perspective-
+// correct.
 #pragma once
 #include <cmath>
 #include <limits>
@@ -17,6 +18,8 @@
 #include "relief/warp_3d.hpp"
 
 namespace relevo::relief {
+
+enum class Sides { Front, Both };
 
 namespace view_mesh_detail {
 
@@ -29,13 +32,14 @@ struct Corner {
 class Drawing {
   public:
     Drawing(const ReliefTexture& texture, const ReliefCamera& viewer, double jump, std::uint8_t label,
-            ViewImage& into)
+            Sides sides, ViewImage& into)
         : texture_(texture),
           viewer_(viewer),
           screen_from_world_(glm::inverse(sight_matrix(viewer))),
           distance_(view_depth(viewer, viewer.corner)),
           jump_(jump),
           label_(label),
+          sides_(sides),
           into_(into) {}
 
     void cell(int x, int y) {
@@ -92,12 +96,13 @@ class Drawing {
 
     void triangle(const Corner& a, const Corner& b, const Corner& c) {
         if (!a.seen || !b.seen || !c.seen) return;
-        if (raster::area2(a.window, b.window, c.window) <= 0) return;  // edge-on, or its back
+        const std::int64_t area = raster::area2(a.window, b.window, c.window);
+        if (area == 0 || (area < 0 && sides_ == Sides::Front)) return;
         const raster::SnappedCorner window[3] = {a.window, b.window, c.window};
         const raster::PixelBox box = raster::pixel_box(window, into_.width(), into_.height());
         if (box.empty()) return;
         const Corner* const corners[3] = {&a, &b, &c};
-        const auto [order] = raster::canonical_order(a.window, b.window, c.window, true);
+        const auto [order] = raster::canonical_order(a.window, b.window, c.window, area > 0);
         const Corner &c0 = *corners[order[0]], &c1 = *corners[order[1]], &c2 = *corners[order[2]];
         const raster::Triangle t = raster::make_triangle(c0.window, c1.window, c2.window);
         const raster::Interpolator interpolator = raster::make_interpolator(t);
@@ -122,6 +127,7 @@ class Drawing {
     glm::dmat3 screen_from_world_;
     double distance_, jump_;
     std::uint8_t label_;
+    Sides sides_;
     ViewImage& into_;
 };
 
@@ -130,10 +136,10 @@ class Drawing {
 // Draws into a picture of the viewer's size what is nearer than what is there. Where it draws, coverage
 // becomes `label` (not 0), so that one can see which texture a pixel came from.
 inline void draw_view_mesh(const ReliefTexture& texture, const ReliefCamera& viewer, double jump,
-                           ViewImage& into, std::uint8_t label = 1) {
+                           ViewImage& into, std::uint8_t label = 1, Sides sides = Sides::Front) {
     assert(viewer.projection == Projection::Perspective && label != 0);
     assert(into.width() == viewer.width && into.height() == viewer.height);
-    view_mesh_detail::Drawing drawing(texture, viewer, jump, label, into);
+    view_mesh_detail::Drawing drawing(texture, viewer, jump, label, sides, into);
     for (int y = -1; y < texture.camera.height; ++y)
         for (int x = -1; x < texture.camera.width; ++x) drawing.cell(x, y);
 }
