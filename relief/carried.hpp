@@ -1,19 +1,19 @@
 // What a texel takes along on its way through the resamplers, and the arithmetic of it.
 //
-// All of it is interpolated perspective-correctly: not by the share t of the way in the warped picture, but
-// by
+// All of it is interpolated perspective-correctly: not by the share t of the way in the warped picture,
+// but by
 //
 //     t' = t w_B / ((1 - t) w_A + t w_B)          w = h / (h + d), itself linear in t
 //
-// one correction for all numbers, as in raster/interpolate.hpp. At t = 0 they come out as they are, to the
-// bit.
+// one correction for all numbers, as in raster/interpolate.hpp. At t = 0 they come out as they are, to
+// the bit.
 #pragma once
 #include "relief/warp.hpp"
 
 namespace relevo::relief {
 
-// Four numbers side by side. Each operation is that of the numbers one by one, whatever the machine makes of
-// it.
+// Four numbers side by side. Each operation is that of the numbers one by one, whatever the machine
+// makes of it.
 using Four __attribute__((vector_size(4 * sizeof(Scalar)))) = Scalar;
 
 template <bool maps>
@@ -43,9 +43,9 @@ inline Scalar corrected_share(Scalar weight_a, Scalar weight_b, Scalar from_a, S
     return share_b / (share_a + share_b);
 }
 
-// The constants of a warp as the loops use them: rounded once, and for a depth d behind the plane in world
-// units, of either source: q = d of an orthographic one, q = -d / (H + d) of a perspective one whose eye is H
-// from the plane.
+// The constants of a warp as the loops use them: rounded once, and for a depth d behind the plane in
+// world units, of either source: q = d of an orthographic one, q = -d / (H + d) of a perspective one
+// whose eye is H from the plane.
 struct DepthWarp {
     Scalar k1, k2, k3, inverse_h;
     Scalar inverse_source_h;  // 1 / H; 0: orthographic

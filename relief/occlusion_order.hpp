@@ -1,16 +1,16 @@
 // The order in which the texels of a source may be painted over one another without comparing any depth
-// (McMillan, "Computing visibility without depth", UNC TR95-047, 1995; Clua 2004, 3.4.1, its two branches
-// exchanged: they are printed the wrong way round).
+// (McMillan, "Computing visibility without depth", UNC TR95-047, 1995; Clua 2004, 3.4.1, its two
+// branches exchanged: they are printed the wrong way round).
 //
-// Texels that meet in one place of the warped picture lie on one line through the epipole, the point of the
-// plane that does not move: u_i = w u + (1 - w) e. The nearest of them must be painted last:
+// Texels that meet in one place of the warped picture lie on one line through the epipole, the point of
+// the plane that does not move: u_i = w u + (1 - w) e. The nearest of them must be painted last:
 //
 //     orthographic source                          nearer is closer to the epipole: borders -> epipole
 //     perspective, the viewer in front of S        nearer is closer to the epipole: borders -> epipole
 //     perspective, the viewer behind S             nearer is farther away:          epipole -> borders
 //
-// The epipole cuts the picture into up to four sheets; inside of each any order will do that runs one way
-// with |u - e_u| and with |v - e_v|. So a line of texels is two runs that meet at the epipole.
+// The epipole cuts the picture into up to four sheets; inside of each any order will do that runs one
+// way with |u - e_u| and with |v - e_v|. So a line of texels is two runs that meet at the epipole.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -68,9 +68,9 @@ void for_each_in_order(const OcclusionOrder& order, int width, int height, Visit
                 for (int i = 0, x = column.first; i < column.count; ++i, x += column.step) visit(x, y);
 }
 
-// The same for what lies between the texels of a line: gap k is between texel k and texel k + 1, for k = -1
-// and k = count - 1 beyond the ends. The gap that holds the epipole belongs to both runs: it is the last, or
-// the first.
+// The same for what lies between the texels of a line: gap k is between texel k and texel k + 1, for k =
+// -1 and k = count - 1 beyond the ends. The gap that holds the epipole belongs to both runs: it is the
+// last, or the first.
 template <class Visit>
 void for_each_gap(double epipole, int count, bool toward, Visit&& visit) {
     const int before = texels_before(epipole, count), after = count - before;

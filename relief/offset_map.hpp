@@ -1,18 +1,19 @@
-// Channels by the map of sources: where each pixel of a warped picture comes from is all that a warp has to
-// compute; colour, normals, a reflection or anything else that is known for the texels is then fetched
-// (Fujita and Kanai, "Hardware-assisted relief texture mapping", Eurographics 2002).
+// Channels by the map of sources: where each pixel of a warped picture comes from is all that a warp has
+// to compute; colour, normals, a reflection or anything else that is known for the texels is then
+// fetched (Fujita and Kanai, "Hardware-assisted relief texture mapping", Eurographics 2002).
 //
-// At the centre of a texel, where splats always look, this is the texel itself, to the bit. Between texels it
-// mixes the four around the place, where a resampler mixes the ends of two stretches: nearly the same.
+// At the centre of a texel, where splats always look, this is the texel itself, to the bit. Between
+// texels it mixes the four around the place, where a resampler mixes the ends of two stretches: nearly
+// the same.
 #pragma once
 #include "relief/prewarp.hpp"
 #include "relief/texel_shares.hpp"
 
 namespace relevo::relief {
 
-// The channel (of the source's size) as the warped picture shows it; `picture` was made with settings.maps.
-// Where nothing is seen: Value{}. Value is LinearRgb, Vec3, or what else can be added and multiplied by a
-// Scalar.
+// The channel (of the source's size) as the warped picture shows it; `picture` was made with
+// settings.maps. Where nothing is seen: Value{}. Value is LinearRgb, Vec3, or what else can be added and
+// multiplied by a Scalar.
 template <class Value>
 Image<Value> fetch_by_map(const Prewarped& picture, const ReliefTexture& source, const Image<Value>& channel,
                           Reading reading = Reading::Bilinear, Scalar jump_depth = Scalar(0.1)) {

@@ -1,4 +1,5 @@
-// The pre-warp of a whole relief texture: settings and result. The work is in the headers of the resamplers.
+// The pre-warp of a whole relief texture: settings and result. The work is in the headers of the
+// resamplers.
 #pragma once
 #include <vector>
 
@@ -21,11 +22,12 @@ enum class Resampler {
     Mesh,            // triangles between the texels, with a z-buffer: the reference
 };
 
-// What happens between two neighbours of very different depth: a skin is stretched from one to the other, or
-// the surface is cut there.
+// What happens between two neighbours of very different depth: a skin is stretched from one to the
+// other, or the surface is cut there.
 enum class Jump { Skin, Cut };
 
-// Between the texels k and k + 1 of a line: nothing, the half texels that stick out of them, or a connection.
+// Between the texels k and k + 1 of a line: nothing, the half texels that stick out of them, or a
+// connection.
 enum class Gap : std::uint8_t { Empty, AfterFirst, BeforeSecond, Cut, Joined, Across };
 inline bool sticks_out(Gap gap) { return gap < Gap::Joined; }
 
@@ -46,13 +48,13 @@ enum class Kind : std::uint8_t {
     FilledAcross,  // the same across a jump of depth: a skin
 };
 
-// The warped picture on the source's plane. Where coverage is 0 the other channels mean nothing; so they may
-// hold what a former warp left there.
+// The warped picture on the source's plane. Where coverage is 0 the other channels mean nothing; so they
+// may hold what a former warp left there.
 struct Prewarped {
     Window window;  // pixel (0, 0) is texel (window.x0, window.y0) of the plane
     Image<LinearRgb> color;
     Image<Vec3> normal;   // interpolated: of any length
-    Image<Scalar> depth;  // displacement behind the plane along f, world units, for either kind of source
+    Image<Scalar> depth;  // behind the plane along f, in world units, for either kind of source
     Image<std::uint8_t> coverage;
     // only with settings.maps
     Image<Vec2> source;  // (u, v) of the source that is seen here, in texels
@@ -61,8 +63,8 @@ struct Prewarped {
 };
 
 // A relief texture laid out for warping. It depends on no viewer: made once, it serves all warps. What a
-// resampler reads together lies together; which neighbours hang together, and how the surface goes on where
-// it ends (resample_line.hpp), is known beforehand.
+// resampler reads together lies together; which neighbours hang together, and how the surface goes on
+// where it ends (resample_line.hpp), is known beforehand.
 struct PreparedRelief {
     ReliefCamera camera;
     Jump jump;
@@ -75,9 +77,10 @@ struct PreparedRelief {
 };
 PreparedRelief prepare(const ReliefTexture& texture, Jump jump = Jump::Skin, Scalar jump_depth = Scalar(0.1));
 
-// The warped picture. `window` is at most max_picture_size a side; texels that go beyond it are cut off. The
-// first form fills `result` and takes no new memory when it has the size already: for one picture after
-// another. (It goes by the jump rule of `relief`; the second prepares the texture by that of `settings`.)
+// The warped picture. `window` is at most max_picture_size a side; texels that go beyond it are cut off.
+// The first form fills `result` and takes no new memory when it has the size already: for one picture
+// after another. (It goes by the jump rule of `relief`; the second prepares the texture by that of
+// `settings`.)
 void prewarp(const PreparedRelief& relief, const Warp& warp, const Window& window,
              const PrewarpSettings& settings, Prewarped& result);
 Prewarped prewarp(const ReliefTexture& texture, const Warp& warp, const Window& window,

@@ -1,7 +1,7 @@
-// Displacements in few bits (Clua 2004, 8.2): whole numbers 0..last in equal steps from the nearest to the
-// deepest texel, one number more for "empty".
+// Displacements in few bits (Clua 2004, 8.2): whole numbers 0..last in equal steps from the nearest to
+// the deepest texel, one number more for "empty".
 //
-//     Q(i) = low + (high - low) i / last       8 bits: 0..254, 255 is empty      16 bits: 0..65534, 65535
+//     Q(i) = low + (high - low) i / last     8 bits: 0..254, 255 is empty     16 bits: 0..65534, 65535
 //
 // |Q(i) - d| <= (high - low) / (2 last), and in the warped picture
 //     |du_i| <= |e_u - u| h / (h + d)^2 (high - low) / (2 last)
@@ -57,8 +57,8 @@ ReliefTexture with_depth(ReliefTexture texture, const QuantizedDepth<Code>& q) {
     return texture;
 }
 
-// The bound of the header: how far, along one axis, half a step of depth can move what stands at u, `e` being
-// the epipole on that axis. Orthographic source; d: the smallest displacement considered.
+// The bound of the header: how far, along one axis, half a step of depth can move what stands at u, `e`
+// being the epipole on that axis. Orthographic source; d: the smallest displacement considered.
 inline double displacement_error_bound(double e, double u, double h, double d, double half_step) {
     return std::abs(e - u) * h / ((h + d) * (h + d)) * half_step;
 }

@@ -1,19 +1,21 @@
 // A relief texture: a picture whose texels know how far the surface lies behind the picture's plane
 // (Oliveira, Bishop and McAllister, "Relief texture mapping", SIGGRAPH 2000; Clua 2004, 3.4).
 //
-//     corner C, one texel step a to the right and b down, f = (a x b) / |a x b| into the relief, away from
-//     the viewer; texel (i, j) is [i, i+1) x [j, j+1), its centre at (u, v) = (i + .5, j + .5), row 0 on top
+//     corner C, one texel step a to the right and b down, f = (a x b) / |a x b| into the relief, away
+//     from the viewer; texel (i, j) is [i, i+1) x [j, j+1), its centre (u, v) = (i + .5, j + .5), row 0
+//     on top
 //
 //     orthographic   X = C + u a + v b + d f           d >= 0: displacement, in world units along f
 //     perspective    X = S + (C + u a + v b - S) / q   0 < q <= 1: generalised disparity, 1 on the plane
 //
-// The thesis writes both numbers with one letter, though the one grows with the distance and the other falls:
-// here they are two types. Whether a texel holds a surface at all is told by its coverage, never by a magic
-// depth.
+// The thesis writes both numbers with one letter, though the one grows with the distance and the other
+// falls: here they are two types. Whether a texel holds a surface at all is told by its coverage, never
+// by a magic depth.
 //
-// The channels are pictures of their own, for a warp reads some and skips others. Colour is linear float, not
-// 8 bits: a warp mixes colours, which is right in linear light only, and twice (rows, then columns), so that
-// a rounded intermediate would show. Cameras are in double: a warp rounds its constants, not their sources.
+// The channels are pictures of their own, for a warp reads some and skips others. Colour is linear
+// float, not 8 bits: a warp mixes colours, which is right in linear light only, and twice (rows, then
+// columns), so that a rounded intermediate would show. Cameras are in double: a warp rounds its
+// constants, not their sources.
 #pragma once
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -58,8 +60,8 @@ inline glm::dvec3 plane_point(const ReliefCamera& camera, double u, double v) {
     return camera.corner + (u * camera.a + v * camera.b);
 }
 
-// The line of sight through (u, v): X = origin + t direction, where t is the displacement of an orthographic
-// source (t = 0 on the plane) and 1 / disparity of a perspective one (t = 1 on the plane).
+// The line of sight through (u, v): X = origin + t direction, where t is the displacement of an
+// orthographic source (t = 0 on the plane) and 1 / disparity of a perspective one (t = 1 on the plane).
 struct SourceRay {
     glm::dvec3 origin, direction;
 };
@@ -78,7 +80,8 @@ inline glm::dvec3 world_point(const ReliefCamera& camera, double u, double v, Di
     return camera.eye + (plane_point(camera, u, v) - camera.eye) / double{q.value};
 }
 
-// All channels have the camera's size. Where coverage is 0 the others mean nothing (they are zero as made).
+// All channels have the camera's size. Where coverage is 0 the others mean nothing (they are zero as
+// made).
 struct ReliefTexture {
     ReliefCamera camera;
     Image<LinearRgb> color;
@@ -113,14 +116,14 @@ inline ReliefTexture make_relief_texture(const ReliefCamera& camera) {
 }
 
 // Why a camera, or a relief texture, cannot be used; nothing when it can. Refused: sizes outside
-// 1..max_picture_size or not the camera's; what is not finite; a and b parallel or zero; an eye on or behind
-// the plane; in a covered texel a displacement below 0 or a disparity outside (0, 1]. The message names the
-// first texel that is wrong.
+// 1..max_picture_size or not the camera's; what is not finite; a and b parallel or zero; an eye on or
+// behind the plane; in a covered texel a displacement below 0 or a disparity outside (0, 1]. The message
+// names the first texel that is wrong.
 std::optional<pipeline::Error> refusal(const ReliefCamera& camera);
 std::optional<pipeline::Error> refusal(const ReliefTexture& texture);
 
-// What both kinds of camera look at: width x height square texels; `toward` is the direction of sight, any
-// length, `up` any direction not parallel to it.
+// What both kinds of camera look at: width x height square texels; `toward` is the direction of sight,
+// any length, `up` any direction not parallel to it.
 struct SourceView {
     glm::dvec3 toward{0, 0, -1}, up{0, 1, 0};
     int width = 256, height = 256;

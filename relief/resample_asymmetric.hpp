@@ -1,5 +1,5 @@
-// The asymmetric resampler: the horizontal pass carries along the row to which each sample will go (Oliveira,
-// Bishop and McAllister 2000; Clua 2004, 8.2.1).
+// The asymmetric resampler: the horizontal pass carries along the row to which each sample will go
+// (Oliveira, Bishop and McAllister 2000; Clua 2004, 8.2.1).
 //
 //     v_i(t) = (1 - t) v_i(A) + t v_i(B)
 //

@@ -1,8 +1,9 @@
-// The vertical half of every resampler: samples arrive row after row of the source, and each column paints
-// the pixels between a sample of this row and one of the row before.
+// The vertical half of every resampler: samples arrive row after row of the source, and each column
+// paints the pixels between a sample of this row and one of the row before.
 //
-// Where a row folds it reaches a column several times. Each of the samples is connected to the row before,
-// never to one another, and there to the one that is nearest in depth: so sheets of the surface stay apart.
+// Where a row folds it reaches a column several times. Each of the samples is connected to the row
+// before, never to one another, and there to the one that is nearest in depth: so sheets of the surface
+// stay apart.
 #pragma once
 #include "relief/resample_row.hpp"
 
@@ -167,7 +168,8 @@ class ColumnResampler {
         }
     }
 
-    // The half texel above (-1) or below (1) a sample of a row of the source that has no neighbour there.
+    // The half texel above (-1) or below (1) a sample of a row of the source that has no neighbour
+    // there.
     [[gnu::noinline]] void stick_out(int row, const Place& place, int side) const {
         Place end = place;
         RowSample<maps>& sample = end.sample;

@@ -1,5 +1,5 @@
-// The interleaved resampler: one pass over the source (Clua 2004, 8.2.3; Oliveira, "Relief texture mapping",
-// dissertation, UNC 2000).
+// The interleaved resampler: one pass over the source (Clua 2004, 8.2.3; Oliveira, "Relief texture
+// mapping", dissertation, UNC 2000).
 //
 // Each sample of a row goes to its column at once, so nothing of the horizontal result is stored but one
 // line, and a row that folds loses nothing: every sample is drawn, where the two-pass forms keep one a

@@ -1,11 +1,11 @@
-// The reference of the resamplers: every cell between four texels is two triangles in the warped picture,
-// rasterized exactly (raster/triangle_edge.hpp) and compared by depth. No order to trust, no pass after pass;
-// slow.
+// The reference of the resamplers: every cell between four texels is two triangles in the warped
+// picture, rasterized exactly (raster/triangle_edge.hpp) and compared by depth. No order to trust, no
+// pass after pass; slow.
 //
 // The triangle's own weights, corrected for the perspective, interpolate what is carried. Where a cell
-// lacks a corner, or is cut, its texels still have the half texel of their own that the other resamplers give
-// them. Corners are snapped to 1/256 pixel; those farther than a picture's width beyond the window are moved
-// there.
+// lacks a corner, or is cut, its texels still have the half texel of their own that the other resamplers
+// give them. Corners are snapped to 1/256 pixel; those farther than a picture's width beyond the window
+// are moved there.
 #pragma once
 #include "raster/triangle_edge.hpp"
 #include "relief/resample_column.hpp"

@@ -1,11 +1,11 @@
-// The one-dimensional resampler: the horizontal pass interpolates the displacement linearly, the vertical
-// pass takes it for the truth (Oliveira, Bishop and McAllister 2000; Clua 2004, 8.2).
+// The one-dimensional resampler: the horizontal pass interpolates the displacement linearly, the
+// vertical pass takes it for the truth (Oliveira, Bishop and McAllister 2000; Clua 2004, 8.2).
 //
 //     d(t) = (1 - t) d_A + t d_B
 //
-// The warp is not linear in d, so the sample lands in a wrong row: 0.002 to 0.04 texel between neighbours of
-// a smooth surface, up to 25 texels where a skin is stretched across a step of depth: straight edges bend.
-// All other numbers are interpolated as by the other methods.
+// The warp is not linear in d, so the sample lands in a wrong row: 0.002 to 0.04 texel between
+// neighbours of a smooth surface, up to 25 texels where a skin is stretched across a step of depth:
+// straight edges bend. All other numbers are interpolated as by the other methods.
 #pragma once
 #include "relief/resample_two_passes.hpp"
 

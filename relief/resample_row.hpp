@@ -1,13 +1,13 @@
-// The horizontal half of every resampler: the texels of one source row, warped, and the samples at the pixel
-// columns between them.
+// The horizontal half of every resampler: the texels of one source row, warped, and the samples at the
+// pixel columns between them.
 #pragma once
 #include "pipeline/probe.hpp"
 #include "relief/resample_line.hpp"
 
 namespace relevo::relief {
 
-// One row of the source after the warp, between its first and its last surface. Places are in pixels of the
-// window. Empty texels are warped with the rest, as if they lay on the plane: no branch, and nothing
+// One row of the source after the warp, between its first and its last surface. Places are in pixels of
+// the window. Empty texels are warped with the rest, as if they lay on the plane: no branch, and nothing
 // undefined.
 struct WarpedRow {
     int y = -1;                // of the source
@@ -51,7 +51,8 @@ struct RowSample {
     Kind kind = Kind::Empty;
 };
 
-// What texel (x, y) carries, c, as a resampler takes it along: the maps want to know where it came from, too.
+// What texel (x, y) carries, c, as a resampler takes it along: the maps want to know where it came from,
+// too.
 template <bool maps>
 [[gnu::always_inline]] inline decltype(auto) carried_by(const Carried<false>& c, int x, int y) {
     if constexpr (maps)
@@ -108,8 +109,8 @@ template <bool maps, class Method, class Emit>
                                  false, warp, emit);
 }
 
-// The samples of a row in the order of painting. emit(x) gives the place for the sample of pixel column x.
-// Method: what is interpolated how (resample_two_passes.hpp).
+// The samples of a row in the order of painting. emit(x) gives the place for the sample of pixel column
+// x. Method: what is interpolated how (resample_two_passes.hpp).
 template <bool maps, class Method, class Emit>
 void resample_row(const PreparedRelief& relief, const WarpedRow& row, const DepthWarp& warp,
                   const OcclusionOrder& order, const Window& window, Emit&& emit) {

@@ -1,11 +1,11 @@
 // Rows, then columns: the frame of the one-dimensional, the asymmetric and the compensated resampler
 // (Oliveira, Bishop and McAllister 2000; Clua 2004, 8.2).
 //
-// Pass 1 takes every row of the source to pixel columns, pass 2 every column to pixels. Rows do not know of
-// one another, nor do columns; so both passes are shared among threads, with a barrier between them, and the
-// number of threads changes no byte (the thesis's cut into bands, 8.7, has no rows between the bands and
-// tests no depth where they overlap). Between the passes a column holds one sample of a row: where a row
-// folds, the nearest.
+// Pass 1 takes every row of the source to pixel columns, pass 2 every column to pixels. Rows do not know
+// of one another, nor do columns; so both passes are shared among threads, with a barrier between them,
+// and the number of threads changes no byte (the thesis's cut into bands, 8.7, has no rows between the
+// bands and tests no depth where they overlap). Between the passes a column holds one sample of a row:
+// where a row folds, the nearest.
 //
 // A method is a struct with
 //   static void adjust(sample, a, b, t, warp)  what it does to a sample at t between a and b that was

@@ -1,5 +1,5 @@
-// The simplest of pre-warps: every texel paints the pixel that it falls into, nearest last. It leaves holes
-// where the picture is stretched, and shows the order of painting undisguised.
+// The simplest of pre-warps: every texel paints the pixel that it falls into, nearest last. It leaves
+// holes where the picture is stretched, and shows the order of painting undisguised.
 #pragma once
 #include "relief/resample_column.hpp"
 

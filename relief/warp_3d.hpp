@@ -4,8 +4,8 @@
 //     x_t ~ P_t^-1 ( (S - T) q + P_s x_s )       P = [a b C - eye], x = (u, v, 1), q: generalised disparity
 //     x_t ~ P_t^-1 ( C_s - T + u a_s + v b_s + d f )                            for an orthographic source
 //
-// A relief texture factors this map: the pre-warp, which needs the depth, and then the homography between the
-// planes, which is texture mapping. The two together are this map again.
+// A relief texture factors this map: the pre-warp, which needs the depth, and then the homography
+// between the planes, which is texture mapping. The two together are this map again.
 #pragma once
 #include <glm/matrix.hpp>
 
@@ -13,15 +13,15 @@
 
 namespace relevo::relief {
 
-// [a b C - eye]: takes (u, v, 1) to the point's line of sight. Its inverse takes any vector from the eye to
-// (u, v, 1) times how many times farther than the plane it reaches.
+// [a b C - eye]: takes (u, v, 1) to the point's line of sight. Its inverse takes any vector from the eye
+// to (u, v, 1) times how many times farther than the plane it reaches.
 inline glm::dmat3 sight_matrix(const ReliefCamera& camera) {
     assert(camera.projection == Projection::Perspective);
     return {camera.a, camera.b, camera.corner - camera.eye};
 }
 
-// The same texel in the picture of the target camera. `z` is how many times farther than the target's plane
-// the point lies; z <= 0: at or behind the target's eye, u and v then mean nothing.
+// The same texel in the picture of the target camera. `z` is how many times farther than the target's
+// plane the point lies; z <= 0: at or behind the target's eye, u and v then mean nothing.
 struct Warped3d {
     double u, v, z;
 };

@@ -1,11 +1,12 @@
-// The warp by table: with displacements in 8 bits, all that depends on them is computed 255 times a viewer,
-// and a texel costs two sums and two products (Clua 2004, 8.2; its 255 and 1 / (1 + k3) (d) corrected).
+// The warp by table: with displacements in 8 bits, all that depends on them is computed 255 times a
+// viewer, and a texel costs two sums and two products (Clua 2004, 8.2; its 255 and 1 / (1 + k3) (d)
+// corrected).
 //
 //     coef1[i] = k1 Q(i)   coef2[i] = k2 Q(i)   coef3[i] = 1 / (1 + k3 Q(i))
 //     u_i = (u + coef1[i]) coef3[i]             v_i = (v + coef2[i]) coef3[i]
 //
-// Needs nothing of the axes once k1, k2, k3 are known; ask make_warp_along_axes() for them where skewed axes
-// must be refused, as the thesis's own table form does.
+// Needs nothing of the axes once k1, k2, k3 are known; ask make_warp_along_axes() for them where skewed
+// axes must be refused, as the thesis's own table form does.
 #pragma once
 #include <array>
 

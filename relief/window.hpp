@@ -1,9 +1,9 @@
-// The part of the plane that the warped picture can reach. Texels leave the square of the source towards the
-// viewer's side whenever the viewer's foot lies outside of it; a picture of the source's size would cut them
-// off (from 40 degrees a third of a sphere; the thesis does not mention it).
+// The part of the plane that the warped picture can reach. Texels leave the square of the source towards
+// the viewer's side whenever the viewer's foot lies outside of it; a picture of the source's size would
+// cut them off (from 40 degrees a third of a sphere; the thesis does not mention it).
 //
-// For a given depth the warp keeps the order of places, and for a given place it runs one way with the depth:
-// the four extreme maps (first and last border, nearest and deepest texel) bound all others.
+// For a given depth the warp keeps the order of places, and for a given place it runs one way with the
+// depth: the four extreme maps (first and last border, nearest and deepest texel) bound all others.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -39,8 +39,8 @@ inline DepthRange depth_range(const ReliefTexture& texture) {
 }
 
 // The window that holds the source's square and every warped texel whole; the square alone when there is
-// none. An error when it would be larger than max_picture_size: the viewer then sees the plane too nearly
-// edge-on.
+// none. An error when it would be larger than max_picture_size: the viewer then sees the plane too
+// nearly edge-on.
 inline Result<Window> target_window(const ReliefCamera& camera, const Warp& warp, const DepthRange& range) {
     if (range.empty) return source_window(camera);
     double low[2] = {0, 0}, high[2] = {double(camera.width), double(camera.height)};

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -66,6 +67,8 @@ TEST(ViewMesh, AFlatReliefIsAPlaneWhereverItIsSeenFrom) {
     ViewImage behind(96, 96);
     draw_view_mesh(texture, viewer_round(180, 0, 96), 0.1, behind);
     EXPECT_EQ(std::count(behind.coverage.pixels().begin(), behind.coverage.pixels().end(), 0), 96 * 96);
+    draw_view_mesh(texture, viewer_round(180, 0, 96), 0.1, behind, 1, Sides::Both);
+    EXPECT_GT(std::count(behind.coverage.pixels().begin(), behind.coverage.pixels().end(), 1), 3000);
 }
 
 TEST(ViewMesh, TheNearestOfTwoTexturesWinsInAnyOrder) {

@@ -77,8 +77,8 @@ TEST(DrawRelief, IsThePictureOfThePlaneSeenFromTheViewer) {
     }
 }
 
-// A slanted plane through the sphere: in front of it the sphere hides the plane, behind it the plane hides
-// the sphere, pixel by pixel as with the true depth of both.
+// A slanted plane through the sphere: in front of it the sphere hides the plane, behind it the plane
+// hides the sphere, pixel by pixel as with the true depth of both.
 TEST(DrawRelief, CutsAnotherObjectWhereTheSurfaceDoes) {
     Seen s = seen(25);
     const pipeline::Mesh plane =

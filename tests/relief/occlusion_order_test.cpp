@@ -51,8 +51,8 @@ TEST(OcclusionOrder, EveryGapOnceAndTheEpipolesLastOrFirst) {
         }
 }
 
-// One texel in the place of another, both on a line through the epipole: the formula of the order against
-// depths.
+// One texel in the place of another, both on a line through the epipole: the formula of the order
+// against depths.
 TEST(OcclusionOrder, TheNearestOfTwoThatMeetComesLast) {
     hard::Random r(2);
     int cases = 0;
@@ -85,9 +85,10 @@ TEST(OcclusionOrder, TheNearestOfTwoThatMeetComesLast) {
     EXPECT_GT(cases, 10'000);
 }
 
-// Splats of the test objects, painted in the right and in the wrong order, against splats with a z-buffer.
-// Where texels are drawn together, neighbours fall into one pixel, and which of them comes last is a matter
-// of rounding; a splat is wrong when it is seen more than two texels behind the nearest.
+// Splats of the test objects, painted in the right and in the wrong order, against splats with a
+// z-buffer. Where texels are drawn together, neighbours fall into one pixel, and which of them comes
+// last is a matter of rounding; a splat is wrong when it is seen more than two texels behind the
+// nearest.
 struct Wrong {
     double right, reversed;
 };

@@ -102,8 +102,8 @@ TEST(Prewarp, SeenFromTheSourceTheOutputIsTheSourceToTheBit) {
     }
 }
 
-// A slanted plane fills a polygon that is known: every resampler but the splats gives at every pixel inside
-// what the plane has there.
+// A slanted plane fills a polygon that is known: every resampler but the splats gives at every pixel
+// inside what the plane has there.
 TEST(Prewarp, ASlantedPlaneComesOutAsTheProjectionOfThePlane) {
     hard::Random r(3);
     for (int i = 0; i < 8; ++i) {
@@ -150,8 +150,8 @@ TEST(Prewarp, ASlantedPlaneComesOutAsTheProjectionOfThePlane) {
                     worst_depth = std::max(worst_depth, std::abs(double(got.depth.at(x, y)) - depth));
                 }
             EXPECT_GT(inside, 500) << name(resampler);
-            // a texel is 0.04 wide; the linear displacement of the one-dimensional one is 0.002 to 0.04 texel
-            // off
+            // a texel is 0.04 wide; the linear displacement of the one-dimensional one is 0.002 to 0.04
+            // texel off
             const double bound = resampler == Resampler::OneDimensional ? 1e-3
                                  : resampler == Resampler::Mesh         ? 2e-4
                                                                         : 2e-5;
@@ -161,8 +161,8 @@ TEST(Prewarp, ASlantedPlaneComesOutAsTheProjectionOfThePlane) {
     }
 }
 
-// Compensation, (8-1) of the thesis and the row that is carried along are one and the same; the printed form
-// fails on the row of the epipole.
+// Compensation, (8-1) of the thesis and the row that is carried along are one and the same; the printed
+// form fails on the row of the epipole.
 TEST(Prewarp, DisplacementCompensationIsPerspectiveInterpolation) {
     hard::Random r(4);
     double worst = 0, worst_row = 0;
@@ -249,7 +249,8 @@ TEST(Prewarp, ASkinOrACutAcrossAJump) {
             texture.depth.at(x, y) = x < 32 ? Scalar(0.5) : 0;
             texture.color.at(x, y) = x < 32 ? LinearRgb{1, 0, 0} : LinearRgb{0, 0, 1};
         }
-    // the viewer to the right: the far plate moves to the right, under the near one; to the left: a gap opens
+    // the viewer to the right: the far plate moves to the right, under the near one; to the left: a gap
+    // opens
     for (const bool gap : {false, true}) {
         const Warp warp =
             *make_warp(camera, viewer_at(plane_point(camera, gap ? -40 : 104, 32) + glm::dvec3(0, 0, 3)));

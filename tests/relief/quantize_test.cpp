@@ -60,7 +60,8 @@ TYPED_TEST(Quantize, OneDepthIsCodeZeroAndNothingIsAllEmpty) {
     for (const auto code : q.code.pixels()) EXPECT_EQ(code, q.empty);
 }
 
-// The bound of the header, in warped texels; and the figure of eight bits for a viewer as far as two radii.
+// The bound of the header, in warped texels; and the figure of eight bits for a viewer as far as two
+// radii.
 TYPED_TEST(Quantize, MovesAWarpedTexelNoFartherThanTheBound) {
     hard::Random r(3);
     double worst = 0, tightest = 0;

@@ -1,6 +1,6 @@
 // A straight edge that runs across a step of depth must stay straight: what the resamplers are judged by
-// (Clua 2004, 8.2). The skin between the two depths shows the bend; between neighbours of a smooth surface it
-// is too small to be seen.
+// (Clua 2004, 8.2). The skin between the two depths shows the bend; between neighbours of a smooth
+// surface it is too small to be seen.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -13,7 +13,8 @@ namespace {
 constexpr int width = 64, height = 304, step_at = 32, edge = 296;  // the edge: between rows 295 and 296
 constexpr double h = 2, epipole_u = 500, epipole_v = 1;            // 295 texels from the edge
 
-// How far from the straight line the edge is drawn at most, in texels, between the two depths 0 and `step`.
+// How far from the straight line the edge is drawn at most, in texels, between the two depths 0 and
+// `step`.
 double bend(Resampler resampler, double step) {
     const ReliefCamera camera =
         *orthographic_camera({{0, 0, -1}, {0, 1, 0}, width, height}, {0, 0, 0}, height / 64.0);

@@ -1,6 +1,6 @@
-// How fast the pre-warp is: warps a second on one thread by each resampler, their times as multiples of the
-// interleaved one (Clua 2004, table 8.1: one-dimensional 1.16, asymmetric 1.17, compensated 1.21), and what a
-// second thread gives at 1024 x 1024.
+// How fast the pre-warp is: warps a second on one thread by each resampler, their times as multiples of
+// the interleaved one (Clua 2004, table 8.1: one-dimensional 1.16, asymmetric 1.17, compensated 1.21),
+// and what a second thread gives at 1024 x 1024.
 //
 //   warp_bench [--rounds N]       processor time, the best of N (100) rounds, the resamplers in turn
 #include <chrono>

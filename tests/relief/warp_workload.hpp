@@ -1,5 +1,6 @@
-// What the benchmark of the pre-warp and its count of instructions warp: the test objects and a plane with a
-// step, 256 x 256 texels with colour, normal and depth, seen 25 degrees from the side from distance 3.2.
+// What the benchmark of the pre-warp and its count of instructions warp: the test objects and a plane
+// with a step, 256 x 256 texels with colour, normal and depth, seen 25 degrees from the side from
+// distance 3.2.
 #pragma once
 #include <string>
 
