@@ -239,50 +239,53 @@ TEST(Prewarp, AFilledPictureIsFilledAgainWithoutATrace) {
         }
 }
 
-// Two plates, one 0.5 deeper, side by side: a skin joins them, a cut parts them.
+// Two plates, one 0.5 deeper, side by side or one above the other: a skin joins them, a cut parts them.
 TEST(Prewarp, ASkinOrACutAcrossAJump) {
     const ReliefCamera camera = front(64, 64);
-    ReliefTexture texture = make_relief_texture(camera);
-    for (int y = 0; y < 64; ++y)
-        for (int x = 0; x < 64; ++x) {
-            texture.coverage.at(x, y) = 1;
-            texture.depth.at(x, y) = x < 32 ? Scalar(0.5) : 0;
-            texture.color.at(x, y) = x < 32 ? LinearRgb{1, 0, 0} : LinearRgb{0, 0, 1};
-        }
-    // the viewer to the right: the far plate moves to the right, under the near one; to the left: a gap
-    // opens
-    for (const bool gap : {false, true}) {
-        const Warp warp =
-            *make_warp(camera, viewer_at(plane_point(camera, gap ? -40 : 104, 32) + glm::dvec3(0, 0, 3)));
-        const Window window = *target_window(camera, warp, depth_range(texture));
-        for (const Resampler resampler : all_resamplers) {
-            if (resampler == Resampler::Splat) continue;
-            PrewarpSettings settings;
-            settings.resampler = resampler, settings.maps = true;
-            const Prewarped skin = prewarp(texture, warp, window, settings);
-            settings.jump = Jump::Cut;
-            const Prewarped cut = prewarp(texture, warp, window, settings);
-            int across = 0, only_in_skin = 0, mixed_in_cut = 0;
-            for (int y = 8; y < window.height - 8; ++y)
-                for (int x = 0; x < window.width; ++x) {
-                    across += skin.kind.at(x, y) == Kind::FilledAcross;
-                    only_in_skin += skin.coverage.at(x, y) && !cut.coverage.at(x, y);
-                    if (cut.coverage.at(x, y))
-                        mixed_in_cut +=
-                            cut.color.at(x, y).r > Scalar(0.01) && cut.color.at(x, y).b > Scalar(0.01);
+    for (const bool stacked : {false, true}) {
+        ReliefTexture texture = make_relief_texture(camera);
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 64; ++x) {
+                const bool far = (stacked ? y : x) < 32;
+                texture.coverage.at(x, y) = 1;
+                texture.depth.at(x, y) = far ? Scalar(0.5) : 0;
+                texture.color.at(x, y) = far ? LinearRgb{1, 0, 0} : LinearRgb{0, 0, 1};
+            }
+        // the viewer beyond the near plate: the far one moves under it; beyond the far one: a gap opens
+        for (const bool gap : {false, true}) {
+            const double aside = gap ? -40 : 104;
+            const glm::dvec3 foot = plane_point(camera, stacked ? 32 : aside, stacked ? aside : 32);
+            const Warp warp = *make_warp(camera, viewer_at(foot + glm::dvec3(0, 0, 3)));
+            const Window window = *target_window(camera, warp, depth_range(texture));
+            for (const Resampler resampler : all_resamplers) {
+                if (resampler == Resampler::Splat) continue;
+                PrewarpSettings settings;
+                settings.resampler = resampler, settings.maps = true;
+                const Prewarped skin = prewarp(texture, warp, window, settings);
+                settings.jump = Jump::Cut;
+                const Prewarped cut = prewarp(texture, warp, window, settings);
+                int across = 0, only_in_skin = 0, mixed_in_cut = 0;
+                for (int y = 0; y < window.height; ++y)
+                    for (int x = 0; x < window.width; ++x) {
+                        const int along = stacked ? x : y;
+                        if (along < 8 || along >= (stacked ? window.width : window.height) - 8) continue;
+                        across += skin.kind.at(x, y) == Kind::FilledAcross;
+                        only_in_skin += skin.coverage.at(x, y) && !cut.coverage.at(x, y);
+                        const LinearRgb& c = cut.color.at(x, y);
+                        mixed_in_cut += cut.coverage.at(x, y) && c.r > Scalar(0.01) && c.b > Scalar(0.01);
+                    }
+                EXPECT_EQ(mixed_in_cut, 0) << name(resampler) << stacked;
+                if (gap) {  // 10 texels: (32 + 40) 0.5 / 3.5
+                    EXPECT_GT(across, 40 * 8) << name(resampler) << stacked;
+                    EXPECT_GT(only_in_skin, 40 * 8) << name(resampler) << stacked;
+                } else {
+                    EXPECT_EQ(only_in_skin, 0) << name(resampler) << stacked;
                 }
-            EXPECT_EQ(mixed_in_cut, 0) << name(resampler);
-            if (gap) {  // 10 texels: (32 + 40) 0.5 / 3.5
-                EXPECT_GT(across, 40 * 8) << name(resampler);
-                EXPECT_GT(only_in_skin, 40 * 8) << name(resampler);
-            } else {
-                EXPECT_EQ(only_in_skin, 0) << name(resampler);
             }
         }
     }
 }
 
-// 1.4 of the design: what stands at a pixel must be the nearest of all that come there.
 TEST(Prewarp, ExtremesAreRightOrRefused) {
     hard::Random r(7);
     // one texel; one row; one column; nothing
