@@ -34,8 +34,25 @@ TEST(Minimal, TheTriangleProgramCountsItsPixels) {
     EXPECT_NEAR(static_cast<double>(drawn), 0.8 * 160 * 1.4 * 120, 200);  // half of base x height
 }
 
+// Five views of one relief texture; the middle one, straight at it, shows the most of the teapot.
+TEST(Minimal, TheReliefProgramDrawsFiveViews) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(shell(folder, "'" MINIMAL_RELIEF "' r.png").status, 0);
+    const auto picture = io::read_image(folder.path("r.png"));
+    ASSERT_TRUE(picture);
+    ASSERT_EQ(picture->width(), 5 * picture->height());
+    const int size = picture->height();
+    for (int k = 0; k < 5; ++k) {
+        int drawn = 0;
+        for (int y = 0; y < size; ++y)
+            for (int x = k * size; x < (k + 1) * size; ++x) drawn += picture->at(x, y) != picture->at(0, 0);
+        EXPECT_GT(drawn, size * size / 8) << "view " << k;
+        EXPECT_LT(drawn, size * size / 2) << "view " << k;
+    }
+}
+
 TEST(Minimal, IsShort) {
-    for (const char* name : {"teapot", "triangle"}) {
+    for (const char* name : {"relief", "teapot", "triangle"}) {
         const std::string text =
             io::bytes_of(RELEVO_SOURCE_DIR "/samples/minimal/" + std::string(name) + ".cpp");
         EXPECT_GT(text.size(), 0u);
