@@ -19,8 +19,6 @@ struct StagedCorners {
     alignas(64) SnappedCorner corner[3][bin_batch + 16];
 };
 
-RELEVO_LANE Ints shift_right_by(Ints a, int by) { return Ints(hn::ShiftRightSame(a.v, by)); }
-
 // Whether the only centre in the box (pixel x, y) is covered, for extents below max_small_extent.
 RELEVO_LANE Bools covers_centre(const LaneCorner& a, const LaneCorner& b, const LaneCorner& c, Bools negative,
                                 Ints x, Ints y) {
@@ -84,10 +82,10 @@ RELEVO_LANE void bin_group(const DrawState& draw, Chunk& chunk, const ModelState
     std::uint32_t left_to_do = bits(drawn) | coded_bits;
     if (left_to_do == 0) return;
     alignas(64) std::int32_t tile_x0[lanes], tile_y0[lanes], tile_x1[lanes], tile_y1[lanes];
-    store(shift_right_by(x0, tile_bits), tile_x0);
-    store(shift_right_by(y0, tile_bits), tile_y0);
-    store(shift_right_by(x1, tile_bits), tile_x1);
-    store(shift_right_by(y1, tile_bits), tile_y1);
+    store(x0 >> tile_bits, tile_x0);
+    store(y0 >> tile_bits, tile_y0);
+    store(x1 >> tile_bits, tile_x1);
+    store(y1 >> tile_bits, tile_y1);
     for (; left_to_do != 0; left_to_do &= left_to_do - 1) {
         const int k = std::countr_zero(left_to_do);
         const std::uint32_t id = primitive + static_cast<std::uint32_t>(k);
