@@ -71,6 +71,14 @@ TEST(Comparison, OfAnotherPrecisionForgivesRoundingOnly) {
     EXPECT_TRUE(large_difference(small_product(), rounded));
 }
 
+TEST(Comparison, ADifferencePictureMayShowFewerTilesThanThereAreNumbers) {
+    Product expected = small_product(), actual = small_product();
+    expected.numbers = raster::Image<float>(6, 3, 0.5f), actual.numbers = raster::Image<float>(6, 3, 0.25f);
+    const auto picture = difference_picture(expected, actual);
+    EXPECT_EQ(picture.width(), 4);
+    EXPECT_EQ(picture.at(3, 2), (raster::Rgba8{255, 255, 255}));
+}
+
 TEST(Comparison, CoverageColorsAreDistinct) {
     std::set<std::uint32_t> seen;
     for (std::uint32_t last = 0; last < 300; ++last)
