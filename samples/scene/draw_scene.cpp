@@ -31,7 +31,7 @@ io::FileResult<Drawn> draw_scene(const LoadedScene& loaded, const ReliefPictures
     for (std::size_t i = 0; i < loaded.reliefs.size(); ++i) {
         relief::Represented object = pictures.objects[i];
         if (const auto refusal = relief::refusal(object, scene.camera)) {
-            drawn.notes.push_back(wrong(loaded.reliefs[i], refusal->message + ": drawn as geometry").text());
+            drawn.notes.push_back(wrong(loaded.reliefs[i], "drawn as geometry: " + refusal->message).text());
             const std::vector<raster::Model>& models = loaded.reliefs[i].models->models;
             scene.models.insert(scene.models.end(), models.begin(), models.end());
             if (!models.empty()) continue;
