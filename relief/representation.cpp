@@ -188,8 +188,14 @@ Result<Represented> represent(Representation representation, const Representatio
     const auto camera = source_camera(settings, object.ball);
     if (!camera) return camera.error();
     if (representation == Representation::Ldi) {
-        if (!capture.shape.surface) return Error{"only analytic surfaces can be peeled into layers"};
-        object.textures = ray_cast_layers(*capture.shape.surface, *camera, settings.layers);
+        if (capture.shape.surface) {
+            object.textures = ray_cast_layers(*capture.shape.surface, *camera, settings.layers);
+            return object;
+        }
+        auto layers =
+            capture_raster_layers(*capture.shape.models, *camera, settings.layers, capture.settings);
+        if (!layers) return layers.error();
+        object.textures = *std::move(layers);
         return object;
     }
     if (auto error = take(camera)) return *std::move(error);

@@ -96,7 +96,7 @@ Box box_round(const BoundingBall& ball);
 // The solid of relief-inverse, of the first texture and, with SolidEnd::Back, the second.
 ReliefSolid solid_of(const std::vector<ReliefTexture>& textures, const RepresentationSettings& settings,
                      double radius);
-// Errors: the captures'; a shape of no extent; layers of meshes (only rays can be peeled).
+// Errors: the captures'; a shape of no extent. Layers are always lit for the viewer.
 Result<Represented> represent(Representation representation, const RepresentationSettings& settings,
                               const ShapeCapture& capture);
 

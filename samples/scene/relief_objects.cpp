@@ -30,7 +30,7 @@ const std::vector<Key>& all_keys() {
     static const std::vector<Key> keys = {
         {"texels", {}},
         {"radius", {}},
-        {"light", {}},
+        {"light", {Relief, ReliefBox, ReliefInverse, Sprite, SpriteDepth}},
         {"bits", {Relief, ReliefBox, ReliefInverse, SpriteDepth}},
         {"azimuth", one_plane},
         {"elevation", one_plane},

@@ -104,12 +104,13 @@ TEST(DrawScene, AParallelViewDrawsReliefs) {
     EXPECT_NEAR(double(covered), pipeline::pi * 20 * 20, 40);  // a disc of radius 1 of 1.5 half the height
 }
 
-TEST(DrawScene, LayersOfAMeshAreRefusedWithTheirPlace) {
-    const LoadedScene scene = parsed(head + "[[object]]\nmesh = \"torus\"\nrepresentation = \"ldi\"\n");
+TEST(DrawScene, WhatHasNoExtentIsRefusedWithItsPlace) {
+    LoadedScene scene = parsed(head + "[[object]]\nmesh = \"torus\"\nrepresentation = \"ldi\"\n");
+    EXPECT_TRUE(take_pictures(scene));
+    scene.reliefs[0].models->models.clear();
     const auto pictures = take_pictures(scene);
     ASSERT_FALSE(pictures);
-    EXPECT_EQ(pictures.error().text(),
-              "scene.toml:9:18: torus: only analytic surfaces can be peeled into layers");
+    EXPECT_EQ(pictures.error().text(), "scene.toml:9:18: torus: the object has no extent");
 }
 
 }  // namespace
