@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/golden/mistakes.hpp"
+#include "tests/golden/exhibit.hpp"
 #include "tests/golden/store.hpp"
 
 namespace {
@@ -39,18 +39,12 @@ std::string read_order(int count, char** words, Order& order) {
     return "";
 }
 
-const Case* find_case(const std::string& name) {
-    for (const Case& c : all_cases())
-        if (c.name == name) return &c;
-    return nullptr;
-}
-
 // The mistakes that would pass the new golden, one after the other.
-std::string unnoticed(const Case& which, const Golden& golden, const Product& product) {
+std::string unnoticed(const Exhibit& which, const Golden& golden, const Product& product) {
     std::string out;
     for (const std::string& name : golden.mistakes) {
-        const Mistake* mistake = find_mistake(name);
-        if (!mistake || !first_difference(product, mistaken(which, *mistake))) out += " '" + name + "'";
+        const auto wrong = which.mistaken(name);
+        if (!wrong || !which.noticed(product, *wrong)) out += " '" + name + "'";
     }
     return out;
 }
@@ -62,12 +56,14 @@ struct Accepted {
 };
 
 std::string examine(const Order& order, const std::string& name, Accepted& accepted) {
-    const Case* which = find_case(name);
-    if (!which) return name + ": there is no such golden (they are listed in tests/golden/subject.cpp)";
+    const Exhibit* which = find_exhibit(name);
+    if (!which)
+        return name +
+               ": there is no such golden (they are listed in tests/golden/*/points.cpp and subject.cpp)";
     auto golden = read_golden(order.folder, name);
     if (!golden) return golden.error().text() + " (first write about = and mistakes = there)";
     if (golden->mistakes.empty()) return name + ".toml: a golden needs mistakes that it notices";
-    Product product = product_of(which->stage, which->make());
+    Product product = which->product();
     if (const std::string names = unnoticed(*which, *golden, product); !names.empty())
         return name + ": it would not notice" + names;
     const auto old = read_product(order.folder, name, product);

@@ -5,11 +5,12 @@
 #include <filesystem>
 #include <set>
 
-#include "tests/golden/mistakes.hpp"
+#include "tests/golden/exhibit.hpp"
+#include "tests/golden/relief/pictures.hpp"
 #include "tests/golden/store.hpp"
 
 namespace relevo::golden {
-void PrintTo(const Case& which, std::ostream* out) { *out << which.name; }
+void PrintTo(const Exhibit& which, std::ostream* out) { *out << which.name; }
 
 namespace {
 
@@ -79,30 +80,84 @@ TEST(Comparison, CoverageColorsAreDistinct) {
         }
 }
 
+// Within what is allowed nothing is said, just beyond it everything is.
+TEST(Comparison, WithATolerance) {
+    const Product expected = small_product();
+    const auto found = [&](const Allowed& allowed, auto change) {
+        Product actual = small_product();
+        change(actual);
+        return difference_beyond(allowed, expected, actual).has_value();
+    };
+    const auto number = [](Product& p) { p.numbers.at(3, 2) = 0.5f + 1.4e-4f; };
+    EXPECT_TRUE(found({}, number));
+    EXPECT_TRUE(found({9e-5, 0, 0}, number));
+    EXPECT_FALSE(found({1e-4, 0, 0}, number));
+    EXPECT_TRUE(found({0, 0, 0.08}, number));  // of 12: none
+    EXPECT_FALSE(found({0, 0, 0.09}, number));
+    const auto not_a_number = [](Product& p) { p.numbers.at(1, 1) = NAN; };
+    EXPECT_TRUE(found({1e9, 0, 0}, not_a_number));
+    const auto levels = [](Product& p) { p.picture.at(2, 1).b += 2; };
+    EXPECT_TRUE(found({}, levels));
+    EXPECT_TRUE(found({0, 1, 0}, levels));
+    EXPECT_FALSE(found({0, 2, 0}, levels));
+    const auto hole = [](Product& p) { p.picture.at(0, 0).a = 0; };
+    EXPECT_TRUE(found({0, 2, 0}, hole));
+    const auto word = [](Product& p) { p.text[5] = 'T'; };
+    EXPECT_TRUE(found({1, 255, 1}, word));
+    const auto text_number = [](Product& p) { p.text = "one\ntwo 0x1.002p+0\n"; };  // 1 + 2^-11
+    EXPECT_TRUE(found({2e-4, 0, 0}, text_number));
+    EXPECT_FALSE(found({3e-4, 0, 0}, text_number));
+    const auto size = [](Product& p) { p.picture = raster::Image<raster::Rgba8>(3, 4, {1, 2, 3}); };
+    EXPECT_TRUE(found({1, 255, 1}, size));
+}
+
+TEST(Comparison, OfViewsByTheErrorSet) {
+    Product expected{"", raster::Image<raster::Rgba8>(20, 10, {100, 100, 100}),
+                     raster::Image<float>(10, 10, 2)};
+    Allowed allowed;
+    allowed.by_error_set = true;
+    allowed.missing = 1, allowed.extra = 0, allowed.psnr = 40, allowed.depth = 1e-3, allowed.bad = 1;
+    const auto found = [&](auto change) {
+        Product actual = expected;
+        change(actual);
+        return difference_beyond(allowed, expected, actual).has_value();
+    };
+    EXPECT_FALSE(found([](Product&) {}));
+    EXPECT_FALSE(found([](Product& p) { p.numbers.at(3, 3) = 2.09f; }));  // in the mean over 100
+    EXPECT_TRUE(found([](Product& p) { p.numbers.at(3, 3) = 2.11f; }));
+    for (const int tile : {0, 1}) {
+        EXPECT_FALSE(found([&](Product& p) { p.picture.at(10 * tile, 4).g = 80; }));
+        EXPECT_TRUE(found([&](Product& p) { p.picture.at(10 * tile, 4).g = 0; }));  // below 40 dB
+        EXPECT_TRUE(found([&](Product& p) { p.picture.at(10 * tile, 4).a = 0; }));
+    }
+    expected.picture.at(3, 3) = {0, 0, 0, 0};
+    EXPECT_TRUE(found([](Product& p) { p.picture.at(3, 3).a = 255; }));  // extra, though it is black
+}
+
 // ------------------------------------------------------------------------------------------------ the files
 TEST(Goldens, EveryFileHasACaseAndEveryCaseItsFile) {
     std::set<std::string> files, cases;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
         if (entry.path().extension() == ".toml")
             files.insert(std::filesystem::relative(entry.path(), folder).replace_extension().string());
-    for (const Case& c : all_cases()) cases.insert(std::string(c.name));
+    for (const Exhibit& e : all_exhibits()) cases.insert(e.name);
     EXPECT_FALSE(cases.empty());
     EXPECT_EQ(files, cases);
 }
 
 TEST(Goldens, EveryMistakeIsNoticedByOne) {
     std::set<std::string_view> unnoticed;
-    for (const Mistake& m : all_mistakes()) EXPECT_TRUE(unnoticed.insert(m.name).second) << m.name;
-    for (const Case& c : all_cases())
-        if (const auto golden = read_golden(folder, std::string(c.name)))
+    for (const MistakeName& m : all_mistake_names()) EXPECT_TRUE(unnoticed.insert(m.name).second) << m.name;
+    for (const Exhibit& e : all_exhibits())
+        if (const auto golden = read_golden(folder, e.name))
             for (const std::string& name : golden->mistakes) unnoticed.erase(name);
     for (const std::string_view name : unnoticed) ADD_FAILURE() << "no golden notices '" << name << "'";
 }
 
 // ------------------------------------------------------------------------------------------------ each case
-class Goldens : public testing::TestWithParam<Case> {
+class Goldens : public testing::TestWithParam<Exhibit> {
   protected:
-    std::string name() const { return std::string(GetParam().name); }
+    const std::string& name() const { return GetParam().name; }
 };
 
 // Expected, actual and their difference, for people.
@@ -121,14 +176,8 @@ std::string advice(const std::string& name) {
     return "\nright as it is now? scripts/accept " + name + " --reason 'WHY IT CHANGED'";
 }
 
-#ifdef RELEVO_DOUBLE  // the goldens are of float: here they must agree but for rounding
-const auto difference = large_difference;
-#else
-const auto difference = first_difference;
-#endif
-
 TEST_P(Goldens, IsWhatItWas) {
-    const Product actual = product_of(GetParam().stage, GetParam().make());
+    const Product actual = GetParam().product();
     const auto golden = read_golden(folder, name());
     ASSERT_TRUE(golden) << golden.error().text();
     const auto expected = read_product(folder, name(), actual);
@@ -137,7 +186,7 @@ TEST_P(Goldens, IsWhatItWas) {
                << advice(name());
     EXPECT_EQ(hash(*expected), golden->hash) << name() << ": its data are not those that were accepted";
     EXPECT_NE(golden->reason, "");
-    if (const auto found = difference(*expected, actual))
+    if (const auto found = GetParam().difference(*expected, actual))
         FAIL() << name() << ": " << *found << "\nsee " << leave_pictures(name(), *expected, actual)
                << advice(name());
 }
@@ -146,29 +195,29 @@ TEST_P(Goldens, NoticesItsKnownMistakes) {
     const auto golden = read_golden(folder, name());
     ASSERT_TRUE(golden) << golden.error().text();
     EXPECT_GE(golden->mistakes.size(), 3u) << "a golden without known mistakes may test nothing";
-    const Product right = product_of(GetParam().stage, GetParam().make());
+    const Product right = GetParam().product();
     for (const std::string& name : golden->mistakes) {
-        const Mistake* mistake = find_mistake(name);
-        if (!mistake) ADD_FAILURE() << "no mistake is called '" << name << "' (tests/golden/mistakes.cpp)";
-        if (mistake && !first_difference(right, mistaken(GetParam(), *mistake)))
-            ADD_FAILURE() << "'" << name << "' (" << mistake->sentence << ") changes nothing here";
+        const auto wrong = GetParam().mistaken(name);
+        if (!wrong) ADD_FAILURE() << "no mistake is called '" << name << "' (mistakes.cpp)";
+        if (wrong && !GetParam().noticed(right, *wrong))
+            ADD_FAILURE() << "'" << name << "' changes nothing here that would be noticed";
     }
 }
 
-TEST_P(Goldens, ThePlainMachineAgrees) {
-    const Subject subject = GetParam().make();
-    if (!has_plain_form(GetParam().stage, subject)) return;  // shaded: there the mistakes are in the scene
-    const auto found = first_difference(product_of(GetParam().stage, subject),
-                                        plain_product_of(GetParam().stage, subject, {}));
+TEST_P(Goldens, ThePlainFormAgrees) {
+    const auto plain = GetParam().plain();
+    if (!plain) return;
+    const auto found = GetParam().noticed(GetParam().product(), *plain);
     EXPECT_FALSE(found) << *found;
 }
 
-std::string name_of(const testing::TestParamInfo<Case>& info) {
-    std::string name(info.param.name);
-    std::replace(name.begin(), name.end(), '/', '_');
+std::string name_of(const testing::TestParamInfo<Exhibit>& info) {
+    std::string name = info.param.name;
+    for (char& c : name)
+        if (c == '/' || c == '-') c = '_';
     return name;
 }
-INSTANTIATE_TEST_SUITE_P(Each, Goldens, testing::ValuesIn(all_cases().begin(), all_cases().end()), name_of);
+INSTANTIATE_TEST_SUITE_P(Each, Goldens, testing::ValuesIn(all_exhibits()), name_of);
 
 }  // namespace
 }  // namespace relevo::golden
