@@ -43,7 +43,7 @@ struct ReliefSolid {
     }
 };
 
-// Everything behind the surface is solid.
+// Everything behind the surface is solid. A depth that is not finite is empty.
 inline ReliefSolid extruded_solid(const ReliefTexture& texture) {
     constexpr Scalar infinity = std::numeric_limits<Scalar>::infinity();
     const int width = texture.camera.width, height = texture.camera.height;
@@ -54,6 +54,7 @@ inline ReliefSolid extruded_solid(const ReliefTexture& texture) {
             if (!texture.coverage.at(x, y)) continue;
             const auto z =
                 static_cast<Scalar>(inward_depth(texture.camera.projection, texture.depth.at(x, y)));
+            if (!std::isfinite(z)) continue;
             solid.front.at(x, y) = z;
             solid.low = std::min(solid.low, double{z}), solid.high = std::max(solid.high, double{z});
         }
