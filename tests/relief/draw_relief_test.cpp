@@ -151,5 +151,112 @@ TEST(DrawRelief, BehindTheEyeOrBesideThePictureItDrawsNothing) {
     for (const Scalar z : frame.depth.pixels()) ASSERT_EQ(z, 0);
 }
 
+// A parallel view of the ball from aside: its viewer is a direction, and so is the viewer of its highlight.
+TEST(DrawRelief, AParallelViewIsRightLitAndUnlit) {
+    Seen s = seen(0);
+    const glm::dvec3 toward = glm::normalize(glm::dvec3(-0.3, -0.2, 1));
+    const ReliefCamera screen = *orthographic_camera({toward, {0, 1, 0}, size, size}, -3.0 * toward, 2.6);
+    const ReliefTexture texture = ray_cast(scene::sphere_object, s.source),
+                        truth = ray_cast(scene::sphere_object, screen);
+    const Viewer viewer = viewer_toward(-toward);
+    s.warp = *make_warp(s.source, viewer);
+    s.picture = prewarp(texture, s.warp, *target_window(s.source, s.warp, depth_range(texture)));
+    ReliefModel model = s.model();
+    model.viewer = viewer, model.material.specular = 1, model.material.shininess = 8;
+    s.scene.camera.eye_from_world = *pipeline::look_at(-3.0 * toward, {0, 0, 0}, {0, 1, 0});
+    s.scene.camera.clip_from_eye =
+        *pipeline::orthographic(-1.3, 1.3, -1.3, 1.3, 0, 8, pipeline::DepthRange::Reversed);
+    s.scene.camera.parallel = true;
+    s.scene.lights.push_back({pipeline::Light::Kind::Directional, {{0, 0, 0}}, {{1, -2, 3}}, {1, 1, 1}});
+    const auto lights = raster::lights_in_eye_space(s.scene);
+    const pipeline::Lighting lighting{lights, model.material.ambient, model.material.diffuse,
+                                      1,      pipeline::exponent(8),  true};
+    for (const auto shading : {raster::Shading::Unlit, raster::Shading::Phong}) {
+        raster::Settings settings = tests::unlit();
+        settings.shading = shading;
+        raster::Frame frame = tests::frame_of(size, size, true);
+        raster::draw(s.scene, settings, frame);
+        draw_relief(model, s.scene, settings, frame);
+        int compared = 0, missing = 0, extra = 0, off = 0, far_off = 0;
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x) {
+                const bool there = frame.depth.at(x, y) > 0, right = truth.coverage.at(x, y) != 0;
+                missing += right && !there, extra += there && !right;
+                if (!there || !right) continue;
+                ++compared;
+                LinearRgb color = truth.color.at(x, y);
+                if (shading == raster::Shading::Phong) {
+                    const glm::dmat3 map(s.scene.camera.eye_from_world.m);
+                    const Vec3 normal(map * glm::dvec3(truth.normal.at(x, y)));
+                    color = pipeline::reflected(
+                        color, pipeline::reflect(lighting, Vec3(0, 0, -3), pipeline::normalize(normal)));
+                }
+                off += mean_square_difference(frame.linear.at(x, y), color) > 0.05 * 0.05;
+                // reversed: 1 at the eye's plane, 0 at distance 8
+                far_off +=
+                    std::abs(8 * (1 - double{frame.depth.at(x, y)}) - double{truth.depth.at(x, y)}) > 0.03;
+            }
+        std::printf("parallel view: %d compared, %d missing, %d extra, %d colours off, %d depths off\n",
+                    compared, missing, extra, off, far_off);
+        EXPECT_GT(compared, 20'000);
+        // of the ball's disc the source does not see the part beyond its own outline
+        EXPECT_NEAR(missing, (1 - toward.z) / 2 * compared, 0.01 * compared);
+        EXPECT_LE(extra, compared / 100);
+        EXPECT_LE(off, compared / 50);
+        EXPECT_LE(far_off, compared / 100);
+    }
+}
+
+TEST(DrawRelief, AHomogeneousViewerMayHaveAnyWeight) {
+    const Seen s = seen(25);
+    raster::Frame frames[2] = {tests::frame_of(size, size, true), tests::frame_of(size, size, true)};
+    for (const int i : {0, 1}) {
+        ReliefModel model = s.model();
+        model.viewer.place *= i ? 4.0 : 1.0;
+        raster::draw(s.scene, tests::unlit(), frames[i]);
+        draw_relief(model, s.scene, tests::unlit(), frames[i]);
+    }
+    EXPECT_EQ(frames[0].depth.pixels(), frames[1].depth.pixels());
+}
+
+// What lies beyond the far plane is not drawn, though the polygon itself is near enough.
+TEST(DrawRelief, IsCutByTheFarPlaneAtItsOwnDepth) {
+    Seen s = seen(10);
+    const raster::Frame whole = drawn(s, tests::unlit());
+    constexpr double far = 2.5;
+    s.scene.camera.clip_from_eye =
+        *pipeline::perspective({45}, 1, near_plane, far, pipeline::DepthRange::Reversed);
+    const raster::Frame cut = drawn(s, tests::unlit());
+    int kept = 0, dropped = 0;
+    for (std::size_t i = 0; i < whole.depth.pixels().size(); ++i) {
+        const double z = double{whole.depth.pixels()[i]}, distance = near_plane / z;
+        if (z == 0 || std::abs(distance - far) < 1e-3) continue;
+        // z = 0 would be the far plane itself: a pixel that was drawn has more
+        EXPECT_EQ(cut.depth.pixels()[i] > 0, distance < far);
+        ++(distance < far ? kept : dropped);
+        if (distance > far) {
+            EXPECT_EQ(cut.linear.pixels()[i], s.scene.background);
+        }
+    }
+    EXPECT_GT(kept, 5000);
+    EXPECT_GT(dropped, 5000);
+}
+
+TEST(DrawRelief, WritesTheOutputThatTheSettingsAskFor) {
+    const Seen s = seen(10);
+    for (const auto output : {raster::Output::Raw, raster::Output::Srgb}) {
+        raster::Settings settings = tests::unlit();
+        settings.output = output;
+        const raster::Frame frame = drawn(s, settings);
+        int covered = 0;
+        for (std::size_t i = 0; i < frame.depth.pixels().size(); ++i) {
+            if (!(frame.depth.pixels()[i] > 0)) continue;
+            ++covered;
+            ASSERT_EQ(frame.color.pixels()[i], raster::to_rgba8(frame.linear.pixels()[i], output));
+        }
+        EXPECT_GT(covered, 5000);
+    }
+}
+
 }  // namespace
 }  // namespace relevo::relief
