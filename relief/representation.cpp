@@ -11,6 +11,7 @@
 #include "relief/screen.hpp"
 #include "relief/sprite.hpp"
 #include "relief/sprite_with_depth.hpp"
+#include "relief/view_morph.hpp"
 
 namespace relevo::relief {
 namespace {
@@ -62,6 +63,33 @@ Result<ViewImage> inverse(const Represented& object, const ReliefTexture& textur
         }
         return find_by_slices(solid, ray, slices);
     });
+}
+
+// The view between the two whose eye is nearest to the screen's, as a depth image of its own: a plain morph
+// knows no depth, and is flat on the plane through the middle of the object.
+Result<ViewImage> morphed(const Represented& object, const std::vector<ReliefTexture>& views,
+                          const ReliefCamera& screen) {
+    const ReliefCamera &camera0 = views[0].camera, &camera1 = views[1].camera;
+    const glm::dvec3 way = camera1.eye - camera0.eye;
+    const double s = std::clamp(glm::dot(screen.eye - camera0.eye, way) / glm::dot(way, way), 0.0, 1.0);
+    const double jump = double{object.jump_depth()};
+    const bool plain = object.settings.morphing == Morphing::Plain;
+    const ViewImage view0 = as_seen(views[0]), view1 = as_seen(views[1]);
+    const auto picture = plain
+                             ? Result<ViewImage>(morph(view0, view1, *object.to1, *object.to0, s, jump))
+                             : view_morph(camera0, view0, camera1, view1, *object.to1, *object.to0, s, jump);
+    if (!picture) return picture.error();
+    ReliefTexture between = make_relief_texture(view_between(camera0, camera1, s));
+    const double distance = view_depth(between.camera, between.camera.corner),
+                 middle = view_depth(between.camera, object.ball.centre);
+    between.color = picture->color, between.coverage = picture->coverage;
+    for (std::size_t i = 0; i < between.depth.pixels().size(); ++i)
+        if (between.coverage.pixels()[i])
+            between.depth.pixels()[i] = static_cast<Scalar>(
+                std::min(distance / (plain ? middle : double{picture->depth.pixels()[i]}), 1.0));
+    ViewImage image(screen.width, screen.height);
+    draw_view_mesh(between, screen, jump, image);
+    return image;
 }
 
 Viewer viewer_of(const raster::Camera& camera) {
@@ -167,7 +195,7 @@ ReliefSolid solid_of(const std::vector<ReliefTexture>& textures, const Represent
 
 Result<Represented> represent(Representation representation, const RepresentationSettings& settings,
                               const ShapeCapture& capture) {
-    Represented object{representation, settings, capture, bounding_ball(capture.shape), {}, {}, {}};
+    Represented object{representation, settings, capture, bounding_ball(capture.shape), {}, {}, {}, {}, {}};
     object.capture.lit = settings.lit == Lit::Captured;
     if (settings.radius > 0) object.ball.radius = settings.radius;
     if (!(object.ball.radius > 0)) return Error{"the object has no extent"};
@@ -183,6 +211,17 @@ Result<Represented> represent(Representation representation, const Representatio
         for (const Face face : all_faces)
             if (auto error = take(face_camera(box_round(object.ball), face, settings.texels)))
                 return *std::move(error);
+        return object;
+    }
+    if (representation == Representation::Morph) {
+        RepresentationSettings view = settings;
+        view.projection = Projection::Perspective;
+        for (const double side : {-1.0, 1.0}) {
+            view.azimuth = {settings.azimuth.value + side * settings.aside.value};
+            if (auto error = take(source_camera(view, object.ball))) return *std::move(error);
+        }
+        object.to1 = true_correspondence(object.textures[0], object.textures[1].camera);
+        object.to0 = true_correspondence(object.textures[1], object.textures[0].camera);
         return object;
     }
     const auto camera = source_camera(settings, object.ball);
@@ -235,6 +274,8 @@ Result<ViewImage> view_of(const Represented& object, const ReliefCamera& screen,
         }
         case Representation::Ldi:
             return draw_layers(textures, screen, jump);
+        case Representation::Morph:
+            return morphed(object, textures, screen);
         case Representation::ReliefInverse:
             return inverse(object, textures[0], screen);
         default:

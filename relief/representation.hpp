@@ -7,6 +7,7 @@
 //   relief-inverse   one or two, searched along the line of sight of every pixel
 //   relief-box       six round the object
 //   ldi              several surfaces behind one another
+//   morph            two views and what belongs together in them: every view between (2.4.2)
 //   geometry         no picture: the object itself, by casting rays. The truth of all others
 //
 // Taking the pictures (represent) needs no viewer and is done once; drawing them (view_of,
@@ -18,6 +19,7 @@
 #include "relief/cone_step_map.hpp"
 #include "relief/inverse_slices.hpp"
 #include "relief/layered_depth_image.hpp"
+#include "relief/morph.hpp"
 #include "relief/placed_surface.hpp"
 #include "relief/prewarp.hpp"
 #include "relief/relief_solid.hpp"
@@ -25,11 +27,12 @@
 
 namespace relevo::relief {
 
-enum class Representation { Geometry, Relief, ReliefBox, ReliefInverse, Sprite, SpriteDepth, Ldi };
+enum class Representation { Geometry, Relief, ReliefBox, ReliefInverse, Sprite, SpriteDepth, Ldi, Morph };
 
 enum class DepthBits { Float, Sixteen, Eight };             // of stored displacements (quantize.hpp)
 enum class Search { Slices, Texels, Cones, RelaxedCones };  // of relief-inverse
 enum class SolidEnd { None, Thickness, Back };              // how far behind its surface an object goes on
+enum class Morphing { View, Plain };                        // view_morph.hpp, morph.hpp
 enum class Lit { Drawn, Captured };  // colours lit for the viewer, by the normals; or as the source saw them
 
 struct RepresentationSettings {
@@ -52,6 +55,9 @@ struct RepresentationSettings {
     // relief-box, ldi
     Composite composite = Composite::Depth;
     int layers = 4;
+    // morph: two perspective views, so far to both sides of the azimuth
+    Morphing morphing = Morphing::View;
+    pipeline::Degrees aside{15};
 };
 
 // What the pictures show: meshes, or one analytic surface. All is borrowed.
@@ -71,8 +77,8 @@ struct ShapeCapture {
     Result<ReliefTexture> operator()(const ReliefCamera& camera) const;
 };
 
-// The object with its pictures. `textures`: one; front and back of a solid with a back; the layers; the six
-// faces in the order of all_faces.
+// The object with its pictures. `textures`: one; the two views of a morph; front and back of a solid with a
+// back; the layers; the six faces in the order of all_faces.
 struct Represented {
     Representation representation = Representation::Geometry;
     RepresentationSettings settings;
@@ -81,6 +87,7 @@ struct Represented {
     std::vector<ReliefTexture> textures;
     std::optional<ReliefSolid> solid;  // of relief-inverse
     std::optional<ConeStepMap> cones;
+    std::optional<Correspondence> to1, to0;  // of morph: from the first view to the second, and back
     Scalar jump_depth() const {
         return static_cast<Scalar>(double{settings.prewarp.jump_depth} * ball.radius);
     }

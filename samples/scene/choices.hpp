@@ -167,6 +167,12 @@ inline constexpr Choice<relief::Representation> representations[] = {
     {"sprite-depth", relief::Representation::SpriteDepth,
      "depths warped forwards, colours fetched backwards (Shade 1998)"},
     {"ldi", relief::Representation::Ldi, "a layered depth image: what lies behind the first surface, too"},
+    {"morph", relief::Representation::Morph, "two views, and every view between them (Seitz 1996)"},
+};
+
+inline constexpr Choice<relief::Morphing> morphings[] = {
+    {"view", relief::Morphing::View, "prewarp, morph, postwarp: straight lines stay straight"},
+    {"plain", relief::Morphing::Plain, "places and colours faded evenly: straight lines bend"},
 };
 
 inline constexpr Choice<relief::Resampler> resamplers[] = {

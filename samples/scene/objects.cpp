@@ -122,8 +122,15 @@ void ObjectReader::read(const Value& table) {
         diagnosis_.say(object.place("step"), "object.step is for surface = \"plane-step\" only");
     ReliefObject relief = relief_object(object);
     const bool as_it_is = relief.representation == relief::Representation::Geometry;
-    for (const Part& part : find_parts(object))
+    for (const Part& part : find_parts(object)) {
+        if (part.transparent && !as_it_is)
+            diagnosis_.say(
+                relief.place,
+                fmt::format("{} is of a transparent material, and pictures with depth know one "
+                            "surface a texel, accepted: representation = \"geometry\" (drawn opaque)",
+                            part.description.name));
         add_model(part, object, world_from_object, as_it_is ? scene_.scene.models : relief.models->models);
+    }
     if (as_it_is || !diagnosis_.fine()) return;
     relief.material = relief.models->models.front().material;
     if (relief.name.empty()) relief.name = object.text("mesh", "");
@@ -225,7 +232,8 @@ ObjectReader::Parts ObjectReader::obj_parts(const std::string& path) {
         parts.push_back({{name, "", part.had_uv, part.had_normals},
                          keep(std::move(part.mesh)),
                          material.material,
-                         material.texture_path});
+                         material.texture_path,
+                         material.transparent});
     }
     return parts;
 }

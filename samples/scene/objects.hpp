@@ -26,6 +26,7 @@ class ObjectReader {
         const pipeline::Mesh* mesh;
         pipeline::Material material;
         std::string texture_path;
+        bool transparent = false;  // says its file; the machine draws it opaque
     };
     using Parts = std::vector<Part>;
 

@@ -25,17 +25,19 @@ struct Key {
     std::vector<Representation> of;  // empty: all
 };
 const std::vector<Key>& all_keys() {
-    static const std::vector<Representation> one_plane = {Relief, ReliefInverse, Sprite, SpriteDepth, Ldi},
-                                             warped = {Relief, SpriteDepth, ReliefInverse, ReliefBox, Ldi};
+    static const std::vector<Representation> one_plane = {Relief,      ReliefInverse, Sprite,
+                                                          SpriteDepth, Ldi,           Morph},
+                                             warped = {Relief,    SpriteDepth, ReliefInverse,
+                                                       ReliefBox, Ldi,         Morph};
     static const std::vector<Key> keys = {
         {"texels", {}},
         {"radius", {}},
-        {"light", {Relief, ReliefBox, ReliefInverse, Sprite, SpriteDepth}},
+        {"light", {Relief, ReliefBox, ReliefInverse, Sprite, SpriteDepth, Morph}},
         {"bits", {Relief, ReliefBox, ReliefInverse, SpriteDepth}},
         {"azimuth", one_plane},
         {"elevation", one_plane},
         {"source", {Relief, ReliefInverse, Sprite, Ldi}},
-        {"distance", {Relief, ReliefInverse, Sprite, Ldi}},
+        {"distance", {Relief, ReliefInverse, Sprite, Ldi, Morph}},
         {"jump_depth", warped},
         {"resampler", {Relief}},
         {"jump", {Relief}},
@@ -48,6 +50,8 @@ const std::vector<Key>& all_keys() {
         {"thickness", {ReliefInverse}},
         {"composite", {ReliefBox}},
         {"layers", {Ldi}},
+        {"morphing", {Morph}},
+        {"aside", {Morph}},
     };
     return keys;
 }
@@ -55,7 +59,7 @@ bool belongs(const Key& key, Representation representation) {
     return key.of.empty() || std::find(key.of.begin(), key.of.end(), representation) != key.of.end();
 }
 
-void read_source(const Fields& fields, relief::RepresentationSettings& out) {
+void read_source(const Fields& fields, Representation representation, relief::RepresentationSettings& out) {
     constexpr Range elevations{-90, 90, false, false, "-90 to 90 degrees"};
     constexpr Range outside{1, largest_number, true, false, "more than 1 (radii of the ball)"};
     out.azimuth = {fields.number("azimuth", 0)};
@@ -67,7 +71,8 @@ void read_source(const Fields& fields, relief::RepresentationSettings& out) {
     out.bits = fields.choice("bits", out.bits, depth_bits);
     out.lit = fields.choice("light", out.lit, relief_lights);
     out.reading = fields.choice("reading", out.reading, readings);
-    if (fields.has("distance") && out.projection != relief::Projection::Perspective)
+    if (fields.has("distance") && representation != Morph &&
+        out.projection != relief::Projection::Perspective)
         fields.diagnosis().say(fields.place("distance"),
                                fields.full("distance") + " is for source = \"perspective\" only");
 }
@@ -122,7 +127,7 @@ relief::RepresentationSettings read_relief(const Fields& object, Representation 
     for (const Key& key : all_keys())
         if (belongs(key, representation)) known.push_back(key.name);
     const Fields fields(*table, object.full("relief"), known, diagnosis);
-    read_source(fields, out);
+    read_source(fields, representation, out);
     out.prewarp.resampler = fields.choice("resampler", out.prewarp.resampler, resamplers);
     out.prewarp.jump = fields.choice("jump", out.prewarp.jump, jumps);
     out.prewarp.jump_depth =
@@ -131,6 +136,9 @@ relief::RepresentationSettings read_relief(const Fields& object, Representation 
     if (representation == ReliefInverse) read_search(fields, out);
     out.composite = fields.choice("composite", out.composite, composites);
     out.layers = fields.whole("layers", out.layers, 1, 16);
+    constexpr Range beside{0, 60, true, false, "more than 0, up to 60 degrees"};
+    out.morphing = fields.choice("morphing", out.morphing, morphings);
+    out.aside = {fields.number("aside", out.aside.value, beside)};
     return out;
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "samples/scene/scene.hpp"
+#include "tests/samples/io/temporary_folder.hpp"
 
 namespace relevo::scene {
 namespace {
@@ -107,8 +108,18 @@ surface = "sphere"
 representation = "relief-box"
 [object.relief]
 composite = "order"
+[[object]]
+surface = "sphere"
+representation = "morph"
+[object.relief]
+morphing = "plain"
+aside = 20
+distance = 4
 )");
-    ASSERT_EQ(s.reliefs.size(), 3u);
+    ASSERT_EQ(s.reliefs.size(), 4u);
+    EXPECT_EQ(s.reliefs[3].settings.morphing, relief::Morphing::Plain);
+    EXPECT_EQ(s.reliefs[3].settings.aside.value, 20);
+    EXPECT_EQ(s.reliefs[3].settings.distance, 4);
     const relief::RepresentationSettings& r = s.reliefs[0].settings;
     EXPECT_EQ(r.search, relief::Search::RelaxedCones);
     EXPECT_EQ(r.slices.slices, 12);
@@ -125,7 +136,7 @@ TEST(ReliefObjects, EveryMistakeHasItsPlace) {
     const auto object = [](const std::string& rest) { return "[[object]]\n" + rest; };
     EXPECT_EQ(error_of(object("mesh = \"cube\"\nrepresentation = \"releif\"\n")),
               "scene.toml:3:18: object.representation is \"releif\", accepted: geometry, relief, relief-box, "
-              "relief-inverse, sprite, sprite-depth, ldi, did you mean 'relief'?");
+              "relief-inverse, sprite, sprite-depth, ldi, morph, did you mean 'relief'?");
     EXPECT_EQ(error_of(object("surface = \"bumpi\"\n")),
               "scene.toml:2:11: object.surface is \"bumpi\", accepted: sphere, bumpy, complex, plane-step, "
               "checker-cube, did you mean 'bumpy'?");
@@ -177,6 +188,22 @@ TEST(ReliefObjects, AParallelViewTakesReliefsOnly) {
               "scene.toml:5:18: bumpy by \"sprite\" needs a viewer with an eye, accepted with projection = "
               "\"orthographic\": representation = \"relief\", and \"geometry\" of a mesh");
     EXPECT_EQ(error_of(camera + "representation = \"relief\"\n"), "no error");
+}
+
+TEST(ReliefObjects, ATransparentMaterialIsRefused) {
+    const io::TemporaryFolder folder;
+    folder.write("glass.mtl", "newmtl glass\nKd 1 1 1\nd 0.5\n");
+    folder.write("glass.obj", "mtllib glass.mtl\no pane\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl glass\nf 1 2 3\n");
+    const auto of = [&](const std::string& way) {
+        folder.write("scene.toml", "[[object]]\nmesh = \"glass.obj\"\nrepresentation = \"" + way + "\"\n");
+        const auto scene = load_scene(folder.path("scene.toml"));
+        return scene ? "no error" : folder.without_path(scene.error().text());
+    };
+    EXPECT_EQ(
+        of("relief"),
+        "scene.toml:3:18: pane is of a transparent material, and pictures with depth know one surface a "
+        "texel, accepted: representation = \"geometry\" (drawn opaque)");
+    EXPECT_EQ(of("geometry"), "no error");
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ TEST(ReliefStages, AreEighteenWithNamesOfTheirOwn) {
 // that fits a slide, and the same scene gives the same bytes.
 TEST(ReliefStages, EveryRepresentationHasAllPages) {
     for (const std::string way :
-         {"relief", "relief-box", "relief-inverse", "sprite", "sprite-depth", "ldi", "geometry"})
+         {"relief", "relief-box", "relief-inverse", "sprite", "sprite-depth", "ldi", "morph", "geometry"})
         for (const std::string what : {"surface = \"complex\"", "mesh = \"torus\""}) {
             const bool mesh = what[0] == 'm';
             if (mesh && way == "geometry") continue;
