@@ -28,7 +28,7 @@ double tan(Degrees angle);
 
 // The angle whose tangent is x, in radians, for |x| <= 1 (error < 2^-52).
 double arc_tangent(double x);
-// The direction of (x, y), counter-clockwise from +x, in (-180, 180]; exact along the axes, else within 2^-45
+// The direction of (x, y), counter-clockwise from +x, in (-180, 180]; exact along the axes, else within 2^-44
 // degrees. (0, 0): 0. Not finite: not a number.
 Degrees angle_of(double x, double y);
 

@@ -45,7 +45,7 @@ Measured measure_direction() {
     Measured worst;
     for (int i = 0; i < 6000; ++i) {
         const double x = random.between(-1, 1), y = random.between(-1, 1);
-        worst.see(distance(pipeline::angle_of(x, y).value, atan2(Exact(y), Exact(x)) / radians(1)) / 0x1p-45,
+        worst.see(distance(pipeline::angle_of(x, y).value, atan2(Exact(y), Exact(x)) / radians(1)) / 0x1p-44,
                   [&] { return text("(%.17g, %.17g)", x, y); });
     }
     return worst;
