@@ -56,6 +56,25 @@ double cos(Degrees angle) {
 
 double tan(Degrees angle) { return sin(angle) / cos(angle); }
 
+// Two halvings of the angle, atan x = 2 atan(x / (1 + sqrt(1 + x^2))), bring |x| <= 1 below 0.199; then the
+// series x - x^3/3 + x^5/5 ..., whose first term left out is below 2^-59.
+double arc_tangent(double x) {
+    for (int i = 0; i < 2; ++i) x /= 1 + std::sqrt(1 + x * x);
+    double sum = 0;
+    for (int n = 23; n > 0; n -= 2) sum = 1.0 / n - x * x * sum;
+    return 4 * x * sum;
+}
+
+Degrees angle_of(double x, double y) {
+    if (!std::isfinite(x) || !std::isfinite(y)) return {std::numeric_limits<double>::quiet_NaN()};
+    const double across = std::fabs(x), up = std::fabs(y), larger = std::fmax(across, up);
+    if (larger == 0) return {0};
+    double angle = arc_tangent(std::fmin(across, up) / larger) * (180 / pi);
+    if (up > across) angle = 90 - angle;
+    if (x < 0) angle = 180 - angle;
+    return {y < 0 ? -angle : angle};
+}
+
 // x = 2^e m with sqrt(1/2) <= m < sqrt(2);  log2 m = 2/ln 2 (t + t^3/3 + t^5/5 ...),  t = (m - 1) / (m + 1).
 double log2(double x) {
     if (!(x > 0))

@@ -26,6 +26,12 @@ double cos(Degrees angle);
 // sin / cos; infinite at odd multiples of 90 degrees.
 double tan(Degrees angle);
 
+// The angle whose tangent is x, in radians, for |x| <= 1 (error < 2^-52).
+double arc_tangent(double x);
+// The direction of (x, y), counter-clockwise from +x, in (-180, 180]; exact along the axes, else within 2^-44
+// degrees. (0, 0): 0. Not finite: not a number.
+Degrees angle_of(double x, double y);
+
 // log2(x) for x > 0 (relative error < 2^-50); -infinity for 0, not a number below.
 double log2(double x);
 // 2^x (relative error < 2^-50); 0 below -1100, infinity above 1100.

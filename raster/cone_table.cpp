@@ -8,15 +8,6 @@
 namespace relevo::raster {
 namespace {
 
-// Two halvings of the angle, atan x = 2 atan(x / (1 + sqrt(1 + x^2))), bring |x| <= 1 below 0.199; then the
-// series x - x^3/3 + x^5/5 ..., whose first term left out is below 2^-59.
-double arc_tangent(double x) {
-    for (int i = 0; i < 2; ++i) x /= 1 + std::sqrt(1 + x * x);
-    double sum = 0;
-    for (int n = 23; n > 0; n -= 2) sum = 1.0 / n - x * x * sum;
-    return 4 * x * sum;
-}
-
 ConeTable make_table() {
     ConeTable table{};
     constexpr int n = ConeTable::reach * ConeTable::steps;
@@ -38,7 +29,7 @@ double cone_half_plane(double s) {
     if (s >= 1) return 1;
     constexpr double ln2 = 0x1.62e42fefa39efp-1;
     const double length = std::sqrt((1 - s) * (1 + s));
-    const double arc_sine = 2 * arc_tangent(s / (1 + length));
+    const double arc_sine = 2 * pipeline::arc_tangent(s / (1 + length));
     const double logarithm = ln2 * pipeline::log2((1 + length) / s);
     return 0.5 + (2 * s * length + arc_sine - s * s * s * logarithm) / pipeline::pi;
 }

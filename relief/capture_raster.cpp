@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
+#include <optional>
+#include <utility>
 
 #include "raster/draw.hpp"
 
@@ -32,18 +34,28 @@ class FragmentKeeper {
             end_.push_back((end_.empty() ? 0 : end_.back()) + model.mesh->triangles());
     }
 
-    void on(const raster::FragmentShaded& fragment) {
+    // Point, normal and depth of the fragment's triangle on the texel's own ray; none of another shading.
+    struct Seen {
+        Vec3 normal;
+        Scalar depth;
+    };
+    std::optional<Seen> seen(const raster::FragmentShaded& fragment) const {
         const auto& carried = fragment.varying;
-        if (carried.size() < 6) return;  // not Phong's
+        if (carried.size() < 6) return {};  // not Phong's
         const dvec3 point = eye_ + axes_ * dvec3(carried[0], carried[1], carried[2]);
         dvec3 normal = axes_ * dvec3(carried[3], carried[4], carried[5]);
         const dvec3 face = face_normal(fragment.primitive);
         if (!(dot(normal, normal) > 0)) normal = face;
         if (dot(normal, normal) > 0) normal = normalized(normal);
         const Ray ray = capture_ray(texture_.camera, fragment.x + 0.5, fragment.y + 0.5);
-        texture_.normal.at(fragment.x, fragment.y) = Vec3(normal);
-        texture_.depth.at(fragment.x, fragment.y) =
-            stored_depth(texture_.camera.projection, meet(ray, point, face));
+        return Seen{Vec3(normal), stored_depth(texture_.camera.projection, meet(ray, point, face))};
+    }
+
+    void on(const raster::FragmentShaded& fragment) {
+        const auto found = seen(fragment);
+        if (!found) return;
+        texture_.normal.at(fragment.x, fragment.y) = found->normal;
+        texture_.depth.at(fragment.x, fragment.y) = found->depth;
         texture_.coverage.at(fragment.x, fragment.y) = 1;
     }
 
@@ -76,6 +88,44 @@ class FragmentKeeper {
     dmat3 axes_;
     dvec3 eye_;
     std::vector<std::size_t> end_;  // the first primitive after each model
+};
+
+// Depth peeling without repeating: what wipes the depth buffer after every fragment sees them all, in the
+// order in which the machine draws, whatever hides what. A first run notes the colours, a second one sorts
+// point and colour into the layers of their texel.
+class LayerKeeper {
+  public:
+    LayerKeeper(const raster::Scene& scene, std::vector<ReliefTexture>& layers, raster::Frame& frame)
+        : keeper_(scene, layers.front()), layers_(layers), frame_(frame) {}
+
+    void on(const raster::FragmentShaded& fragment) {
+        frame_.depth.at(fragment.x, fragment.y) = raster::cleared_depth(raster::DepthFormat::Float32Reversed);
+        const auto seen = keeper_.seen(fragment);
+        if (!seen) return colors_.push_back(fragment.color);
+        insert(fragment.x, fragment.y, *seen, colors_[next_++]);
+    }
+
+  private:
+    // Behind those that are nearer; what falls out at the end is behind the last layer.
+    void insert(int x, int y, FragmentKeeper::Seen seen, LinearRgb color) {
+        const bool parallel = layers_.front().camera.projection == Projection::Orthographic;
+        for (ReliefTexture& layer : layers_) {
+            const bool there = layer.coverage.at(x, y) != 0;
+            const bool nearer =
+                parallel ? seen.depth < layer.depth.at(x, y) : seen.depth > layer.depth.at(x, y);
+            if (there && !nearer) continue;
+            std::swap(seen.depth, layer.depth.at(x, y)), std::swap(seen.normal, layer.normal.at(x, y));
+            std::swap(color, layer.color.at(x, y));
+            layer.coverage.at(x, y) = 1;
+            if (!there) return;
+        }
+    }
+
+    FragmentKeeper keeper_;
+    std::vector<ReliefTexture>& layers_;
+    raster::Frame& frame_;
+    std::vector<LinearRgb> colors_;
+    std::size_t next_ = 0;
 };
 
 }  // namespace
@@ -133,6 +183,24 @@ Result<ReliefTexture> capture_raster(const raster::Scene& scene, const ReliefCam
     for (std::size_t i = 0; i < color.pixels().size(); ++i)
         if (texture.coverage.pixels()[i]) texture.color.pixels()[i] = color.pixels()[i];
     return texture;
+}
+
+Result<std::vector<ReliefTexture>> capture_raster_layers(const raster::Scene& scene,
+                                                         const ReliefCamera& camera, int layers,
+                                                         raster::Settings settings) {
+    if (auto error = refusal(camera)) return *std::move(error);
+    std::vector<ReliefTexture> peeled(std::size_t(layers), make_relief_texture(camera));
+    raster::Scene seen = scene;
+    seen.camera = raster_camera(camera, depth_of_scene(scene, camera));
+    settings.depth = raster::DepthFormat::Float32Reversed;
+    settings.cull = pipeline::Cull::None;
+    raster::Frame frame{{camera.width, camera.height}, {camera.width, camera.height}, {}};
+    LayerKeeper keeper(scene, peeled, frame);
+    settings.shading = raster::Shading::Unlit;
+    raster::draw(seen, settings, frame, keeper);
+    settings.shading = raster::Shading::Phong;
+    raster::draw(seen, settings, frame, keeper);
+    return peeled;
 }
 
 }  // namespace relevo::relief

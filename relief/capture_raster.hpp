@@ -7,6 +7,8 @@
 // the same number that a ray caster finds. Normals are interpolated by the machine; a vertex without one gets
 // the face's.
 #pragma once
+#include <vector>
+
 #include "raster/scene.hpp"
 #include "relief/capture.hpp"
 
@@ -24,6 +26,12 @@ double depth_of_scene(const raster::Scene& scene, const ReliefCamera& camera);
 // relief can be lit where it is shown. Refused: a camera that `refusal` refuses.
 Result<ReliefTexture> capture_raster(const raster::Scene& scene, const ReliefCamera& camera,
                                      raster::Settings settings = {.shading = raster::Shading::Unlit});
+
+// What lies behind one another in every texel, the nearest first, both sides of every triangle; unlit. Layers
+// may be empty (depth peeling; layered_depth_image.hpp draws them). layers > 0. Refused: as above.
+Result<std::vector<ReliefTexture>> capture_raster_layers(const raster::Scene& scene,
+                                                         const ReliefCamera& camera, int layers,
+                                                         raster::Settings settings = {});
 
 struct RasterCapture {
     const raster::Scene& scene;  // borrowed

@@ -19,13 +19,13 @@ using Four __attribute__((vector_size(4 * sizeof(Scalar)))) = Scalar;
 template <bool maps>
 struct Carried {
     static constexpr int parts = maps ? 3 : 2;
-    // red green blue depth | normal x y z, slope | source u v, two unused
+    // red green blue depth | normal x y z, growth | source u v, two unused
     Four part[parts];
 
     // behind the plane, in world units
     Scalar depth() const { return part[0][3]; }
-    // how fast the depth grows beyond the row of texels, where the surface ends (resample_line.hpp)
-    Scalar slope() const { return part[1][3]; }
+    // how much deeper the surface gets beyond its last texel in a column (resample_line.hpp)
+    Scalar growth() const { return part[1][3]; }
     void set_depth(Scalar depth) { part[0][3] = depth; }
 };
 

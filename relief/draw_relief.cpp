@@ -2,7 +2,7 @@
 
 #include "raster/clip_triangle.hpp"
 #include "raster/interpolate.hpp"
-#include "raster/model_setup.hpp"
+#include "relief/scene_light.hpp"
 
 namespace relevo::relief {
 namespace {
@@ -20,17 +20,9 @@ class ReliefPass {
           settings_(settings),
           frame_(frame),
           viewport_{frame.depth.width(), frame.depth.height()},
-          lights_(raster::lights_in_eye_space(scene)),
-          lighting_{lights_,
-                    model.material.ambient,
-                    model.material.diffuse,
-                    model.material.specular,
-                    pipeline::exponent(model.material.shininess),
-                    scene.camera.parallel},
-          eye_from_world_(scene.camera.eye_from_world),
+          light_(scene, model.material),
           clip_from_eye_(scene.camera.clip_from_eye),
           clip_from_world_(pipeline::rounded(scene.camera.clip_from_eye * scene.camera.eye_from_world)),
-          eye_normal_(pipeline::normal_map(scene.camera.eye_from_world)),
           forward_(forward(model.source)) {
         const glm::dvec4& t = model.viewer.place;
         height_ = glm::dot(t.w * model.source.corner - glm::dvec3(t), forward_);
@@ -111,7 +103,7 @@ class ReliefPass {
         const glm::dvec4& t = model_.viewer.place;
         const glm::dvec3 on_plane = plane_point(model_.source, u, v);
         const glm::dvec3 world = on_plane + (depth / height_) * (t.w * on_plane - glm::dvec3(t));
-        return glm::dvec3(eye_from_world_.m * glm::dvec4(world, 1));
+        return light_.to_eye(world);
     }
 
     LinearRgb shaded(const TexelShares& shares, const Vec3& eye) const {
@@ -122,9 +114,7 @@ class ReliefPass {
         const Vec3 normal = weighted_sum(shares, Vec3(0), [&](int i, int j, double share) {
             return static_cast<Scalar>(share) * picture_.normal.at(i, j);
         });
-        const Vec3 n = pipeline::normalize(
-            (eye_normal_ * pipeline::Normal<pipeline::World>{pipeline::normalize(normal)}).v);
-        return pipeline::reflected(base, pipeline::reflect(lighting_, eye, n));
+        return light_.lit(base, eye, normal);
     }
 
     const ReliefModel& model_;
@@ -132,12 +122,9 @@ class ReliefPass {
     const raster::Settings& settings_;
     raster::Frame& frame_;
     pipeline::Viewport viewport_;
-    std::vector<pipeline::EyeLight> lights_;
-    pipeline::Lighting lighting_;
-    pipeline::Affine<pipeline::Eye, pipeline::World> eye_from_world_;
+    SceneLight light_;
     pipeline::Projective<Clip, pipeline::Eye> clip_from_eye_;
     pipeline::RoundedProjective<Clip, pipeline::World> clip_from_world_;
-    pipeline::NormalMap<pipeline::Eye, pipeline::World> eye_normal_;
     glm::dvec3 forward_;
     double height_;  // of the viewer over the plane, times the weight of its place
 };

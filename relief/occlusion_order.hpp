@@ -13,6 +13,7 @@
 // way with |u - e_u| and with |v - e_v|. So a line of texels is two runs that meet at the epipole.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "relief/warp.hpp"
@@ -71,12 +72,14 @@ void for_each_in_order(const OcclusionOrder& order, int width, int height, Visit
 // The same for what lies between the texels of a line: gap k is between texel k and texel k + 1, for k =
 // -1 and k = count - 1 beyond the ends. The gap that holds the epipole belongs to both runs: it is the
 // last, or the first.
+inline std::array<Run, 3> gap_runs(double epipole, int count, bool toward) {
+    const int before = texels_before(epipole, count), after = count - before;
+    if (toward) return {{{-1, 1, before}, {count - 1, -1, after}, {before - 1, 1, 1}}};
+    return {{{before - 1, 1, 1}, {before - 2, -1, before}, {before, 1, after}}};
+}
 template <class Visit>
 void for_each_gap(double epipole, int count, bool toward, Visit&& visit) {
-    const int before = texels_before(epipole, count), after = count - before;
-    const Run towards[3] = {{-1, 1, before}, {count - 1, -1, after}, {before - 1, 1, 1}},
-              away[3] = {{before - 1, 1, 1}, {before - 2, -1, before}, {before, 1, after}};
-    for (const Run& run : toward ? towards : away)
+    for (const Run& run : gap_runs(epipole, count, toward))
         for (int i = 0, k = run.first; i < run.count; ++i, k += run.step) visit(k);
 }
 

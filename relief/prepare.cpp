@@ -33,6 +33,49 @@ PreparedRelief prepare(const ReliefTexture& texture, Jump jump, Scalar jump_dept
                            jump_depth);
     };
 
+    // A line of texels that leads inwards from (x, y), where the surface ends.
+    struct Inwards {
+        int x, y, step_x, step_y;
+        int x_at(int k) const { return x + k * step_x; }
+        int y_at(int k) const { return y + k * step_y; }
+    };
+    const auto gap = [&](const Inwards& in, int k) {  // between its texels k and k + 1
+        return between(in.x_at(k), in.y_at(k), in.x_at(k + 1), in.y_at(k + 1));
+    };
+    const auto ends_here = [&](const Inwards& in) {
+        return covered(in.x, in.y) && sticks_out(gap(in, -1)) && !sticks_out(gap(in, 0));
+    };
+    // How deep the surface is where it ends, as far as this line can tell.
+    const auto end_depth = [&](const Inwards& in) -> Scalar {
+        const auto at = [&](int k) { return depth_at(in.x_at(k), in.y_at(k)); };
+        if (gap(in, 0) == Gap::Across) return at(0);  // steeper than can be continued
+        const auto second = gap(in, 1) == Gap::Joined ? std::optional(at(2)) : std::nullopt;
+        return at(0) + growth_beyond(at(0), at(1), second);
+    };
+    // How much deeper the surface gets beyond the last texel of the line: to the deepest end of the lines
+    // beside it that belong to the same outline.
+    const auto growth = [&](const Inwards& in) -> Scalar {
+        constexpr int lines = 2, texels = 4;  // how far away they may be, and how much longer or shorter
+        const Scalar here = depth.at(in.x, in.y), most = 2 * (here - depth_at(in.x_at(1), in.y_at(1)));
+        if (!(most > 0)) return 0;
+        Scalar deepest = end_depth(in);
+        for (int line = -lines; line <= lines; ++line)
+            for (int texel = -texels; texel <= texels; ++texel) {
+                const Inwards beside{in.x_at(texel) + line * in.step_y, in.y_at(texel) + line * in.step_x,
+                                     in.step_x, in.step_y};
+                if (line == 0 || !ends_here(beside)) continue;
+                if (std::abs(depth.at(beside.x, beside.y) - here) <= std::max(jump_depth, most))
+                    deepest = std::max(deepest, end_depth(beside));
+            }
+        return std::clamp(deepest - here, Scalar(0), most);
+    };
+    // Beyond (x, y) along u or v, whichever side the surface ends on; 0 where it ends on both or on none.
+    const auto growth_along = [&](int x, int y, int step_x, int step_y) -> Scalar {
+        for (const int side : {-1, 1})
+            if (const Inwards in{x, y, side * step_x, side * step_y}; ends_here(in)) return growth(in);
+        return 0;
+    };
+
     PreparedRelief relief{
         texture.camera,      jump,           jump_depth, {}, {width, height}, {width, height},
         {width + 1, height}, {width, height}};
@@ -45,12 +88,10 @@ PreparedRelief prepare(const ReliefTexture& texture, Jump jump, Scalar jump_dept
             const Scalar here = depth.at(x, y);
             const LinearRgb& c = texture.color.at(x, y);
             const Vec3& n = texture.normal.at(x, y);
-            const Scalar slope_v = slope_beyond(between(x, y - 1, x, y), depth_at(x, y - 1),
-                                                between(x, y, x, y + 1), depth_at(x, y + 1), here);
+            const Scalar growth_v = growth_along(x, y, 0, 1);
             relief.parameter.at(x, y) = perspective ? texture.depth.at(x, y) - 1 : here;
-            relief.carried.at(x, y) = {{Four{c.r, c.g, c.b, here}, Four{n.x, n.y, n.z, slope_v}}};
-            relief.slope_u.at(x, y) = slope_beyond(between(x - 1, y, x, y), depth_at(x - 1, y),
-                                                   between(x, y, x + 1, y), depth_at(x + 1, y), here);
+            relief.carried.at(x, y) = {{Four{c.r, c.g, c.b, here}, Four{n.x, n.y, n.z, growth_v}}};
+            relief.growth_u.at(x, y) = growth_along(x, y, 1, 0);
         }
     }
     return relief;

@@ -21,16 +21,16 @@ void clear(Image<Pixel>& image) {
 
 template <bool maps>
 void resample(const PreparedRelief& relief, const Warp& warp, const PrewarpSettings& settings,
-              Prewarped& result) {
+              Prewarped& result, PrewarpMemory::Parts& memory) {
     switch (settings.resampler) {
         case Resampler::Splat:
             return splat<maps>(relief, warp, settings, result);
         case Resampler::OneDimensional:
-            return resample_two_passes<maps>(OneDimensionalMethod{}, relief, warp, settings, result);
+            return resample_two_passes<maps>(OneDimensionalMethod{}, relief, warp, settings, result, memory);
         case Resampler::Asymmetric:
-            return resample_two_passes<maps>(AsymmetricMethod{}, relief, warp, settings, result);
+            return resample_two_passes<maps>(AsymmetricMethod{}, relief, warp, settings, result, memory);
         case Resampler::Compensated:
-            return resample_two_passes<maps>(CompensatedMethod{}, relief, warp, settings, result);
+            return resample_two_passes<maps>(CompensatedMethod{}, relief, warp, settings, result, memory);
         case Resampler::Interleaved:
             return resample_interleaved<maps>(relief, warp, settings, result);
         case Resampler::Mesh:
@@ -40,8 +40,13 @@ void resample(const PreparedRelief& relief, const Warp& warp, const PrewarpSetti
 
 }  // namespace
 
+PrewarpMemory::PrewarpMemory() : parts_(std::make_unique<Parts>()) {}
+PrewarpMemory::~PrewarpMemory() = default;
+PrewarpMemory::PrewarpMemory(PrewarpMemory&&) noexcept = default;
+PrewarpMemory& PrewarpMemory::operator=(PrewarpMemory&&) noexcept = default;
+
 void prewarp(const PreparedRelief& relief, const Warp& warp, const Window& window,
-             const PrewarpSettings& settings, Prewarped& result) {
+             const PrewarpSettings& settings, Prewarped& result, PrewarpMemory& memory) {
     assert(warp.projection == relief.camera.projection);
     assert(0 < window.width && window.width <= pipeline::max_picture_size);
     assert(0 < window.height && window.height <= pipeline::max_picture_size);
@@ -54,8 +59,14 @@ void prewarp(const PreparedRelief& relief, const Warp& warp, const Window& windo
     fit(result.source, map_width, map_height), fit(result.kind, map_width, map_height);
     fit(result.writes, map_width, map_height);
     clear(result.coverage), clear(result.kind), clear(result.writes);
-    settings.maps ? resample<true>(relief, warp, settings, result)
-                  : resample<false>(relief, warp, settings, result);
+    settings.maps ? resample<true>(relief, warp, settings, result, memory.parts())
+                  : resample<false>(relief, warp, settings, result, memory.parts());
+}
+
+void prewarp(const PreparedRelief& relief, const Warp& warp, const Window& window,
+             const PrewarpSettings& settings, Prewarped& result) {
+    PrewarpMemory memory;
+    prewarp(relief, warp, window, settings, result, memory);
 }
 
 Prewarped prewarp(const ReliefTexture& texture, const Warp& warp, const Window& window,

@@ -1,6 +1,7 @@
 // The pre-warp of a whole relief texture: settings and result. The work is in the headers of the
 // resamplers.
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "raster/pixel.hpp"
@@ -72,15 +73,32 @@ struct PreparedRelief {
     std::vector<raster::Span> covered;  // of each row: from the first surface to behind the last
     Image<Scalar> parameter;            // q of the warp; 0 where there is no surface
     Image<Carried<false>> carried;
-    Image<Gap> gap;         // (k + 1, y): between the texels k and k + 1 of row y
-    Image<Scalar> slope_u;  // of the depth beyond a texel that ends a run of the row
+    Image<Gap> gap;          // (k + 1, y): between the texels k and k + 1 of row y
+    Image<Scalar> growth_u;  // of the depth beyond the last texel of a run of the row
 };
 PreparedRelief prepare(const ReliefTexture& texture, Jump jump = Jump::Skin, Scalar jump_depth = Scalar(0.1));
 
+// Memory and threads that the resamplers keep from one warp to the next; nothing to read. For one warp at a
+// time.
+class PrewarpMemory {
+  public:
+    PrewarpMemory();
+    ~PrewarpMemory();
+    PrewarpMemory(PrewarpMemory&&) noexcept;
+    PrewarpMemory& operator=(PrewarpMemory&&) noexcept;
+    struct Parts;
+    Parts& parts() { return *parts_; }
+
+  private:
+    std::unique_ptr<Parts> parts_;
+};
+
 // The warped picture. `window` is at most max_picture_size a side; texels that go beyond it are cut off.
-// The first form fills `result` and takes no new memory when it has the size already: for one picture
-// after another. (It goes by the jump rule of `relief`; the second prepares the texture by that of
-// `settings`.)
+// The first form fills `result`, for one picture after another: it takes no new memory for it when it has the
+// size already, nor, with a `memory`, for what lies between. (It goes by the jump rule of `relief`; the
+// second prepares the texture by that of `settings`.)
+void prewarp(const PreparedRelief& relief, const Warp& warp, const Window& window,
+             const PrewarpSettings& settings, Prewarped& result, PrewarpMemory& memory);
 void prewarp(const PreparedRelief& relief, const Warp& warp, const Window& window,
              const PrewarpSettings& settings, Prewarped& result);
 Prewarped prewarp(const ReliefTexture& texture, const Warp& warp, const Window& window,

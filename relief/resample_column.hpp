@@ -47,12 +47,70 @@ class Painter {
     bool depth_test_;
 };
 
-// Columns first..last-1 of the window.
+// Columns first..last-1 of the window; here they count from 0.
 template <bool maps>
 class ColumnResampler {
   public:
+    // What one row of the source has for the columns: samples 0..columns-1 are those that came first to each
+    // column, behind them are those that came to a column that had one.
+    class Line {
+      public:
+        raster::Span span{0, 0};  // columns outside have no sample
+        SampleLine<maps> samples;
+
+        // Takes memory of its own, for rows that may fold.
+        void own(int columns) {
+            own_.fit(2 * columns, 1), samples = own_.clear_row(0);
+            make_room(columns, 2 * columns);
+        }
+        // Borrows `samples`, at most one a column.
+        void borrow(int columns) { make_room(columns, columns); }
+
+        // One more sample of column x, which has one already.
+        [[gnu::noinline]] void add(int x, const RowSample<maps>& sample) {
+            if (size_ == own_.width()) {
+                own_.widen(), samples = own_.row(0);
+                make_room(columns_, own_.width());
+            }
+            const int i = size_++;
+            next_[std::size_t(samples.count[x] == 1 ? x : last_[std::size_t(x)])] = i;
+            next_[std::size_t(i)] = -1, last_[std::size_t(x)] = i;
+            samples.count[x] = 2, samples.set(i, sample);
+        }
+        void clear() {
+            std::fill(samples.count + span.x0, samples.count + span.x1, std::uint8_t{0});
+            std::fill(next_.begin() + span.x0, next_.begin() + span.x1, -1);
+            span = {0, 0}, size_ = columns_;
+        }
+
+      private:
+        friend ColumnResampler;
+        void make_room(int columns, int size) {
+            columns_ = columns, size_ = std::max(size_, columns);
+            pixel_.resize(std::size_t(size)), partner_.resize(std::size_t(size));
+            next_.resize(std::size_t(size), -1), last_.resize(std::size_t(columns));
+        }
+        void find_pixels(Scalar height) {
+            const Scalar* const v = samples.v;
+            int* const pixel = pixel_.data();
+            for (int x = span.x0; x < span.x1; ++x) pixel[x] = first_pixel(v[x], height);
+            for (int i = columns_; i < size_; ++i) pixel[i] = first_pixel(v[i], height);
+        }
+        // The samples of a column in the order of their coming: visit(first_of(x)), then next_of.
+        int first_of(int x) const { return samples.count[x] != 0 ? x : -1; }
+        int next_of(int i) const { return next_[std::size_t(i)]; }
+        Scalar depth(int i) const { return samples.carried[i].depth(); }
+
+        SampleLines<maps> own_;
+        int columns_ = 0, size_ = 0;
+        std::vector<int> pixel_;    // first_pixel(v), of every sample
+        std::vector<int> partner_;  // the sample of the other row with which it is connected; -1: none
+        std::vector<int> next_;     // the next sample of the same column; -1: none
+        std::vector<int> last_;     // of a column with several
+    };
+
     ColumnResampler(const PreparedRelief& relief, const DepthWarp& warp, const Painter<maps>& painter,
-                    const Window& window, int first, int last)
+                    const Window& window, int first, int last, bool folds)
         : warp_(warp),
           cut_(relief.jump == Jump::Cut),
           jump_depth_(relief.jump_depth),
@@ -60,124 +118,163 @@ class ColumnResampler {
           y0_(static_cast<Scalar>(window.y0)),
           height_(static_cast<Scalar>(window.height)),
           first_(first),
-          before_(static_cast<std::size_t>(last - first)),
-          now_(static_cast<std::size_t>(last - first)) {}
+          from_(std::size_t(last - first)),
+          to_(std::size_t(last - first)),
+          share_(std::size_t(last - first)) {
+        for (Line* const line : {&before_, &now_})
+            folds ? line->own(last - first) : line->borrow(last - first);
+    }
 
-    // feed_row(y, emit) asks emit(x) for a place for each sample of row y of the source, in the order of
-    // painting; rows outside of 0..rows-1 are asked for, too, and have none.
+    // feed_row(y, line) fills a line with the samples of row y of the source, or shows it where they are;
+    // rows outside of 0..rows-1 are asked for, too, and have none.
     template <class FeedRow>
     void run(const OcclusionOrder& order, int rows, FeedRow&& feed_row) {
         const int above = texels_before(order.v, rows);
         int held = -2;  // the row in before_
         const auto fill = [&](Line& line, int row) {
-            line.clear();
-            feed_row(row, [&line, first = first_](int x) -> RowSample<maps>& { return line.add(x, first); });
-            for (int i = 0; i < line.count; ++i)
-                line.place[std::size_t(i)].pixel =
-                    static_cast<std::int16_t>(first_pixel(line.place[std::size_t(i)].sample.v, height_));
+            feed_row(row, line);
+            line.find_pixels(height_);
         };
         for_each_gap(order.v, rows, order.toward, [&](int k) {
             if (held != k && held != k + 1) {
                 held = (k < above) == order.toward ? k : k + 1;
                 fill(before_, held);
             }
-            const bool down = held == k;
-            const int row = down ? k + 1 : k;
+            const int row = held == k ? k + 1 : k;
             fill(now_, row);
-            connect();
-            for (int i = 0; i < before_.count; ++i)
-                if (!before_.place[std::size_t(i)].connected)
-                    stick_out(held, before_.place[std::size_t(i)], down ? 1 : -1);
-            down ? paint_row<true>(row) : paint_row<false>(row);
+            connect(held, row);
             held = row;
             std::swap(before_, now_);
         });
     }
 
   private:
-    struct Place {
-        RowSample<maps> sample;
-        bool connected;         // with a sample of the next row
-        std::int16_t x, pixel;  // first_pixel(sample.v); both at most max_picture_size
-        int next;               // the sample that reached the column before it; -1: none
-        int before;             // the one of the row before with which it is connected; -1: none
-    };
-    struct Line {
-        std::vector<Place> place;  // in the order of arrival, `count` of them
-        int count = 0, room;
-        std::vector<int> last;  // of each column; -1: none
-        explicit Line(std::size_t columns)
-            : place(2 * columns), room(static_cast<int>(2 * columns)), last(columns, -1) {}
-        void clear() {
-            count = 0;
-            std::fill(last.begin(), last.end(), -1);
-        }
-        void grow() { place.resize(2 * place.size()), room *= 2; }
-        RowSample<maps>& add(int x, int first) {
-            if (count == room) grow();
-            int& newest = last[static_cast<std::size_t>(x - first)];
-            Place& to = place[static_cast<std::size_t>(count)];
-            to.x = static_cast<std::int16_t>(x), to.next = newest, to.connected = false;
-            newest = count++;
-            return to.sample;
-        }
+    // A sample on its way down or up its column.
+    struct Stop {
+        const Carried<maps>* carried;
+        Scalar v, weight;
+        int pixel;  // first_pixel(v)
+        Kind kind;
     };
 
-    // Each sample of this row with the one of the row before, in its column, that is nearest in depth.
-    void connect() {
-        Place* const before = before_.place.data();
-        for (int i = 0; i < now_.count; ++i) {
-            Place& place = now_.place[static_cast<std::size_t>(i)];
-            int nearest = before_.last[static_cast<std::size_t>(place.x - first_)];
-            if (nearest >= 0 && (cut_ || before[nearest].next >= 0)) {
-                const Scalar depth = place.sample.carried.depth();
-                const auto apart = [&](int k) { return std::abs(before[k].sample.carried.depth() - depth); };
-                for (int k = before[nearest].next; k >= 0; k = before[k].next)
-                    if (apart(k) < apart(nearest)) nearest = k;
-                if (cut_ && apart(nearest) > jump_depth_) nearest = -1;
+    // Paints what lies between the rows `held` (before_) and `row` (now_).
+    void connect(int held, int row) {
+        const bool down = held < row;
+        const Line &upper = down ? before_ : now_, &lower = down ? now_ : before_;
+        const SampleLine<maps>&a = upper.samples, &b = lower.samples;
+        const raster::Span span = hull(upper.span, lower.span);
+        const int *const pixel_a = upper.pixel_.data(), *const pixel_b = lower.pixel_.data();
+        first_shares(span, a, b, pixel_a, pixel_b, from_.data(), to_.data(), share_.data());
+        const int *const from = from_.data(), *const to = to_.data();
+        const Scalar* const share = share_.data();
+        const Painter<maps> painter = painter_;
+        for (int x = span.x0; x < span.x1; ++x) {
+            const int count_a = a.count[x], count_b = b.count[x];
+            if (count_a == 1 && count_b == 1 && !(cut_ && is_jump(a.carried[x], b.carried[x]))) {
+                const int y = from[x], end = to[x];
+                if (y == end) continue;
+                const Scalar at = static_cast<Scalar>(y) + Scalar(0.5);
+                const Kind kind = maps ? kind_between(at, a.v[x], b.v[x], a.kind[x], b.kind[x],
+                                                      is_jump(a.carried[x], b.carried[x]))
+                                       : Kind::Sampled;
+                painter.paint(first_ + x, y, lerp(a.carried[x], b.carried[x], share[x]), kind);
+                if (y + 1 < end) [[unlikely]]
+                    stretch(x, y + 1, end, stop(upper, x), stop(lower, x));
+            } else if ((count_a | count_b) != 0) {
+                connect_column(x, held, row);
             }
-            place.before = nearest;
-            if (nearest >= 0) before[nearest].connected = true;
         }
     }
 
-    template <bool down>
-    void paint_row(int row) const {
-        const Place* const before = before_.place.data();
-        for (int i = 0; i < now_.count; ++i) {
-            const Place& place = now_.place[static_cast<std::size_t>(i)];
-            if (place.before < 0) {
-                stick_out(row, place, down ? -1 : 1);
+    // The pixels between a sample of a in each column and one of b, and the share of the first of them.
+    [[gnu::noinline]] static void first_shares(raster::Span span, const SampleLine<maps>& a,
+                                               const SampleLine<maps>& b, const int* pixel_a,
+                                               const int* pixel_b, int* __restrict from, int* __restrict to,
+                                               Scalar* __restrict share) {
+        const Scalar *const v_a = a.v, *const v_b = b.v, *const weight_a = a.weight,
+                            *const weight_b = b.weight;
+        for (int x = span.x0; x < span.x1; ++x) {
+            from[x] = std::min(pixel_a[x], pixel_b[x]);
+            to[x] = std::max(pixel_a[x], pixel_b[x]);
+        }
+        for (int x = span.x0; x < span.x1; ++x) {
+            const Scalar at = static_cast<Scalar>(from[x]) + Scalar(0.5);
+            share[x] = corrected_share(weight_a[x], weight_b[x], at - v_a[x], v_b[x] - at);
+        }
+    }
+
+    static raster::Span hull(raster::Span a, raster::Span b) {
+        if (a.x0 >= a.x1) return b;
+        if (b.x0 >= b.x1) return a;
+        return {std::min(a.x0, b.x0), std::max(a.x1, b.x1)};
+    }
+    bool is_jump(const Carried<maps>& a, const Carried<maps>& b) const {
+        return std::abs(a.depth() - b.depth()) > jump_depth_;
+    }
+
+    static Stop stop(const Line& line, int i) {
+        return {&line.samples.carried[i], line.samples.v[i], line.samples.weight[i],
+                line.pixel_[std::size_t(i)], maps ? line.samples.kind[i] : Kind::Sampled};
+    }
+
+    // Each sample of this row with the one of the row before, in its column, that is nearest in depth. What
+    // is not connected sticks out.
+    [[gnu::noinline]] void connect_column(int x, int held, int row) {
+        const bool down = held < row;
+        Line &before = before_, &now = now_;
+        int *const before_partner = before.partner_.data(), *const now_partner = now.partner_.data();
+        for (int i = before.first_of(x); i >= 0; i = before.next_of(i)) before_partner[i] = -1;
+        for (int i = now.first_of(x); i >= 0; i = now.next_of(i)) {
+            int nearest = before.first_of(x);
+            now_partner[i] = -1;
+            if (nearest < 0) continue;
+            const Scalar depth = now.depth(i);
+            Scalar least = std::abs(before.depth(nearest) - depth);
+            for (int k = before.next_of(nearest); k >= 0; k = before.next_of(k))
+                if (const Scalar apart = std::abs(before.depth(k) - depth); apart <= least)
+                    least = apart, nearest = k;
+            if (cut_ && least > jump_depth_) continue;
+            now_partner[i] = nearest, before_partner[nearest] = i;
+        }
+        for (int i = before.first_of(x); i >= 0; i = before.next_of(i))
+            if (before_partner[i] < 0) stick_out(x, held, stop(before, i), down ? 1 : -1);
+        for (int i = now.first_of(x); i >= 0; i = now.next_of(i)) {
+            const int other = now_partner[i];
+            if (other < 0) {
+                stick_out(x, row, stop(now, i), down ? -1 : 1);
                 continue;
             }
-            const Place& other = before[place.before];
-            stretch(down ? other : place, down ? place : other);
+            const int one = now.pixel_[std::size_t(i)], two = before.pixel_[std::size_t(other)];
+            if (one == two) continue;
+            const Stop here = stop(now, i), there = stop(before, other);
+            stretch(x, std::min(one, two), std::max(one, two), down ? there : here, down ? here : there);
         }
     }
 
-    // From the sample of the upper source row to that of the lower one.
-    [[gnu::always_inline]] void stretch(const Place& upper, const Place& lower) const {
-        const int from = std::min(upper.pixel, lower.pixel), to = std::max(upper.pixel, lower.pixel);
-        const RowSample<maps>&a = upper.sample, &b = lower.sample;
-        const bool jump = maps && std::abs(a.carried.depth() - b.carried.depth()) > jump_depth_;
+    // From the sample of the upper source row to that of the lower one: pixels from..to-1.
+    void stretch(int x, int from, int to, const Stop& a, const Stop& b) const {
+        const bool jump = maps && is_jump(*a.carried, *b.carried);
         for (int y = from; y < to; ++y) {
             const Scalar at = static_cast<Scalar>(y) + Scalar(0.5);
             const Kind kind = maps ? kind_between(at, a.v, b.v, a.kind, b.kind, jump) : Kind::Sampled;
             const Scalar share = corrected_share(a.weight, b.weight, at - a.v, b.v - at);
-            painter_.paint(upper.x, y, lerp(a.carried, b.carried, share), kind);
+            painter_.paint(first_ + x, y, lerp(*a.carried, *b.carried, share), kind);
         }
+    }
+    void stretch(int x, const Stop& a, const Stop& b) const {
+        stretch(x, std::min(a.pixel, b.pixel), std::max(a.pixel, b.pixel), a, b);
     }
 
     // The half texel above (-1) or below (1) a sample of a row of the source that has no neighbour
     // there.
-    [[gnu::noinline]] void stick_out(int row, const Place& place, int side) const {
-        Place end = place;
-        RowSample<maps>& sample = end.sample;
-        const Scalar depth = depth_beyond(sample.carried.depth(), sample.carried.slope());
-        sample.carried.set_depth(depth), sample.weight = weight_at(depth, warp_);
-        sample.v = warped_v(static_cast<Scalar>(2 * row + 1 + side) / 2, depth, warp_) - y0_;
-        sample.kind = Kind::Sampled, end.pixel = static_cast<std::int16_t>(first_pixel(sample.v, height_));
-        stretch(place, end);
+    void stick_out(int x, int row, const Stop& stop, int side) const {
+        Carried<maps> carried = *stop.carried;
+        const Scalar depth = depth_beyond(carried.depth(), carried.growth()),
+                     v = warped_v(static_cast<Scalar>(2 * row + 1 + side) / 2, depth, warp_) - y0_;
+        const int end = first_pixel(v, height_);
+        if (side * (end - stop.pixel) <= 0) return;
+        carried.set_depth(depth);
+        stretch(x, stop, {&carried, v, weight_at(depth, warp_), end, Kind::Sampled});
     }
 
     DepthWarp warp_;
@@ -187,6 +284,8 @@ class ColumnResampler {
     Scalar y0_, height_;
     int first_;
     Line before_, now_;
+    std::vector<int> from_, to_;
+    std::vector<Scalar> share_;
 };
 
 }  // namespace relevo::relief

@@ -16,13 +16,20 @@ void resample_interleaved(const PreparedRelief& relief, const Warp& warp, const 
     const OcclusionOrder order = occlusion_order(warp, settings.painting);
     const Window& window = result.window;
     const int rows = relief.camera.height;
-    WarpedRow row(relief.camera.width);
-    ColumnResampler<maps> columns(relief, constants, Painter<maps>(result, settings.depth_test), window, 0,
-                                  window.width);
-    columns.run(order, rows, [&](int y, auto&& emit) {
+    const std::unique_ptr<WarpedRow> row = make_warped_row();
+    using Columns = ColumnResampler<maps>;
+    Columns columns(relief, constants, Painter<maps>(result, settings.depth_test), window, 0, window.width,
+                    true);
+    columns.run(order, rows, [&](int y, typename Columns::Line& line) {
+        line.clear();
         if (y < 0 || y >= rows) return;
-        warp_row(relief, warp, window, y, row);
-        resample_row<maps, AsymmetricMethod>(relief, row, constants, order, window, emit);
+        warp_row(relief, warp, window, y, *row);
+        resample_row<maps, AsymmetricMethod>(relief, *row, constants, order, window,
+                                             [&line](int x, auto&& sample) {
+                                                 if (line.samples.count[x] != 0) return line.add(x, sample());
+                                                 line.samples.count[x] = 1, line.samples.set(x, sample());
+                                             });
+        line.span = row->columns;
     });
 }
 

@@ -7,12 +7,16 @@
 // warp by nothing an exact copy.
 //
 // A texel is a square, not a point: where it has no neighbour, the half of it that is left sticks out,
-// or a run of one texel would vanish. The surface goes on falling there. At a round outline the depth
-// grows like a root, so over the half texel beyond it grows about as much as over the whole texel before
-// (1.4 times as much on average, a plane half as much); at the texel's own depth the half texel would
-// stand out too far. On a sphere seen 25 degrees from the side that is worth 2 dB, at the edges of a
-// cube it costs 0.02.
+// or a run of one texel would vanish. The surface goes on falling there, to the depth of its outline: at the
+// texel's own depth the half texel would stand out too far, by 2 dB on a sphere seen 25 degrees from the
+// side. How deep the outline is, the texels of one line alone tell badly where the surface is steep: the last
+// texel of one line lies just before the outline, that of the next nearly a texel, which may be many of
+// depth, away from it, and seen from the side the outline would fray. So the lines beside it are asked, too
+// (prepare.cpp).
 #pragma once
+#include <cmath>
+#include <optional>
+
 #include "relief/prewarp.hpp"
 
 namespace relevo::relief {
@@ -39,14 +43,21 @@ inline bool is_covered(const PreparedRelief& relief, int x, int y) {
     return after != Gap::Empty && after != Gap::BeforeSecond;
 }
 
-// How fast the depth grows beyond a texel that sticks out on one side and is joined on the other, per
-// texel; else 0.
-inline Scalar slope_beyond(Gap one, Scalar at_one, Gap other, Scalar at_other, Scalar here) {
-    if (sticks_out(one) && other == Gap::Joined) return here - at_other;
-    if (sticks_out(other) && one == Gap::Joined) return here - at_one;
-    return 0;
+// How much deeper a surface gets from its last texel in a line to its end, at most half a texel on, judged by
+// the depths of that texel and of the two before it. At a round outline the depth D - c sqrt(s) grows like
+// the root of the distance s from the end, in texels, so with its last differences p and q
+//
+//     (D - d)^2 is linear in the line:   e = D - d = (q^2 + 2 p q - p^2) / (2 (p - q)),   c^2 = 2 e p + p^2
+//
+// Where it does not grow faster and faster it is continued as a plane, or not at all where it rises.
+inline Scalar growth_beyond(Scalar here, Scalar before, std::optional<Scalar> second) {
+    const Scalar p = here - before, q = second ? before - *second : p;
+    if (p <= 0 || q <= 0) return 0;
+    if (q >= p) return p / 2;
+    const Scalar e = (q * q + 2 * p * q - p * p) / (2 * (p - q)), half_a_texel = p * (e + p / 2);
+    return e <= 0 ? 0 : e - std::sqrt(std::max(e * e - half_a_texel, Scalar(0)));
 }
-inline Scalar depth_beyond(Scalar depth, Scalar slope) { return std::max(depth + slope, Scalar(0)); }
+inline Scalar depth_beyond(Scalar depth, Scalar growth) { return std::max(depth + growth, Scalar(0)); }
 
 // What a pixel at `x` between a and b is: one of them when it is within half a pixel, else invented.
 inline Kind kind_between(Scalar x, Scalar a, Scalar b, Kind kind_a, Kind kind_b, bool across) {

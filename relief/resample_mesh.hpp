@@ -16,7 +16,7 @@ template <bool maps>
 struct MeshCorner {
     Scalar u, v, weight;
     Carried<maps> carried;
-    Scalar source_u, source_v, slope_u;
+    Scalar source_u, source_v, growth_u;
 };
 
 template <bool maps>
@@ -28,14 +28,14 @@ class MeshResampler {
           constants_(warp),
           window_(result.window),
           painter_(result, true),
-          upper_(relief.camera.width),
-          lower_(relief.camera.width) {}
+          upper_(make_warped_row()),
+          lower_(make_warped_row()) {}
 
     void run() {
         const int height = relief_.camera.height;
         for (int y = -1; y < height; ++y) {  // cells between the rows y and y + 1
             std::swap(upper_, lower_);
-            if (y + 1 < height) warp_row(relief_, warp_, window_, y + 1, lower_);
+            if (y + 1 < height) warp_row(relief_, warp_, window_, y + 1, *lower_);
             for (int x = -1; x < relief_.camera.width; ++x) draw_cell(x, y);
         }
     }
@@ -45,19 +45,18 @@ class MeshResampler {
 
     bool covered(int x, int y) const { return relief_.carried.holds(x, y) && is_covered(relief_, x, y); }
     Corner corner(int x, const WarpedRow& row) const {
-        const auto k = static_cast<std::size_t>(x);
-        return {row.u[k],
-                row.v[k],
-                row.weight[k],
+        return {row.u[x],
+                row.v[x],
+                row.weight[x],
                 carried_by<maps>(relief_.carried.at(x, row.y), x, row.y),
                 static_cast<Scalar>(x) + Scalar(0.5),
                 static_cast<Scalar>(row.y) + Scalar(0.5),
-                relief_.slope_u.at(x, row.y)};
+                relief_.growth_u.at(x, row.y)};
     }
     // Half a texel away, along each axis: -1, 0 or 1.
     Corner moved(Corner c, int along_u, int along_v) const {
-        const Scalar slope = (along_u ? c.slope_u : 0) + (along_v ? c.carried.slope() : 0),
-                     depth = depth_beyond(c.carried.depth(), slope);
+        const Scalar growth = (along_u ? c.growth_u : 0) + (along_v ? c.carried.growth() : 0),
+                     depth = depth_beyond(c.carried.depth(), growth);
         c.carried.set_depth(depth), c.weight = weight_at(depth, constants_);
         c.source_u += Scalar(0.5) * static_cast<Scalar>(along_u);
         c.source_v += Scalar(0.5) * static_cast<Scalar>(along_v);
@@ -76,7 +75,7 @@ class MeshResampler {
         bool there[4], all = true;
         for (int i = 0; i < 4; ++i) {
             there[i] = covered(x + i % 2, y + i / 2), all &= there[i];
-            if (there[i]) c[i] = corner(x + i % 2, i / 2 ? lower_ : upper_);
+            if (there[i]) c[i] = corner(x + i % 2, i / 2 ? *lower_ : *upper_);
         }
         bool across = false, cut = false;
         if (all)
@@ -158,7 +157,7 @@ class MeshResampler {
     DepthWarp constants_;
     Window window_;
     Painter<maps> painter_;
-    WarpedRow upper_, lower_;
+    std::unique_ptr<WarpedRow> upper_, lower_;
 };
 
 }  // namespace relevo::relief

@@ -1,7 +1,8 @@
 // The horizontal half of every resampler: the texels of one source row, warped, and the samples at the
 // pixel columns between them.
 #pragma once
-#include "pipeline/probe.hpp"
+#include <memory>
+
 #include "relief/resample_line.hpp"
 
 namespace relevo::relief {
@@ -9,17 +10,28 @@ namespace relevo::relief {
 // One row of the source after the warp, between its first and its last surface. Places are in pixels of
 // the window. Empty texels are warped with the rest, as if they lay on the plane: no branch, and nothing
 // undefined.
+//
+// Lines of a fixed length, so that one register finds them all and compilers see that they do not overlap;
+// a little longer than a row can be, so that they do not meet in one place of a cache. Large: not for the
+// stack.
 struct WarpedRow {
-    int y = -1;                // of the source
-    std::vector<Scalar> u, v;  // where each texel goes
-    std::vector<Scalar> weight;
-    std::vector<int> column;  // first_pixel(u)
-    explicit WarpedRow(int count)
-        : u(std::size_t(count)),
-          v(std::size_t(count)),
-          weight(std::size_t(count)),
-          column(std::size_t(count)) {}
+    static constexpr int length = pipeline::max_picture_size + 16;
+    int y = -1;                   // of the source
+    raster::Span columns{0, 0};   // from the first of all columns to before the last
+    Scalar u[length], v[length];  // where each texel goes
+    Scalar weight[length];        // h / (h + d)
+    int column[length];           // first_pixel(u)
+
+    // Between texel k and the next, as if they hung together. All gaps are treated alike, four side by side,
+    // which costs less than to ask which of them matter.
+    enum Work : std::uint8_t { None, OneSample, More };
+    Work work[length];             // what there is to do at gap k - 1
+    int from[length], to[length];  // the columns from..to-1
+    Scalar t[length];              // the first sample, if there is one: its share of the way
+    Scalar corrected[length];      // the same, perspective-correct
+    Scalar sample_v[length], sample_weight[length];  // as in RowSample
 };
+inline std::unique_ptr<WarpedRow> make_warped_row() { return std::unique_ptr<WarpedRow>(new WarpedRow); }
 
 inline void warp_row(const PreparedRelief& relief, const Warp& warp, const Window& window, int y,
                      WarpedRow& row) {
@@ -29,17 +41,45 @@ inline void warp_row(const PreparedRelief& relief, const Warp& warp, const Windo
                  width = static_cast<Scalar>(window.width),
                  perspective = warp.projection == Projection::Perspective ? 1 : 0;
     const Scalar* const parameter = relief.parameter.row(y);
-    Scalar *const u = row.u.data(), *const v = row.v.data(), *const weight = row.weight.data();
-    int* const column = row.column.data();
     const raster::Span covered = relief.covered[std::size_t(y)];
     row.y = y;
     for (int x = covered.x0; x < covered.x1; ++x) {
         const Scalar q = parameter[x], w = 1 / (1 + k3 * q);
-        u[x] = ((static_cast<Scalar>(x) + Scalar(0.5)) + k1 * q) * w - x0;
-        v[x] = (at_v + k2 * q) * w - y0;
-        weight[x] = (1 + perspective * q) * w;
+        row.u[x] = ((static_cast<Scalar>(x) + Scalar(0.5)) + k1 * q) * w - x0;
+        row.v[x] = (at_v + k2 * q) * w - y0;
+        row.weight[x] = (1 + perspective * q) * w;
     }
-    for (int x = covered.x0; x < covered.x1; ++x) column[x] = first_pixel(u[x], width);
+    int first = window.width, end = 0;
+    for (int x = covered.x0; x < covered.x1; ++x) {
+        const int column = first_pixel(row.u[x], width);
+        row.column[x] = column;
+        first = std::min(first, column), end = std::max(end, column);
+    }
+    row.columns = {std::min(first, end), end};
+}
+
+// The numbers of the gaps covered.x0-1..covered.x1-1; the first and the last of them stick out.
+inline void sample_gaps(const Gap* gaps, raster::Span covered, WarpedRow& row) {
+    const int last = covered.x1 - 1;
+    for (int k = covered.x0; k < last; ++k) {
+        row.from[k] = std::min(row.column[k], row.column[k + 1]);
+        row.to[k] = std::max(row.column[k], row.column[k + 1]);
+    }
+    for (int k = covered.x0; k < last; ++k) {
+        const int samples = std::min(row.to[k] - row.from[k], 2), sticks_out = gaps[k] == Gap::Empty ? 0 : 2;
+        row.work[k + 1] = static_cast<WarpedRow::Work>(gaps[k] >= Gap::Joined ? samples : sticks_out);
+    }
+    for (int k = covered.x0; k < last; ++k)
+        if (gaps[k] == Gap::Across && row.column[k] > row.column[k + 1]) row.work[k + 1] = WarpedRow::None;
+    row.work[covered.x0] = row.work[covered.x1] = WarpedRow::More;
+    for (int k = covered.x0; k < last; ++k) {
+        const Scalar at = static_cast<Scalar>(row.from[k]) + Scalar(0.5),
+                     t = (at - row.u[k]) * (1 / (row.u[k + 1] - row.u[k])),
+                     weight = row.weight[k] + t * (row.weight[k + 1] - row.weight[k]);
+        row.t[k] = t, row.sample_weight[k] = weight;
+        row.corrected[k] = t * row.weight[k + 1] / weight;
+        row.sample_v[k] = row.v[k] + t * (row.v[k + 1] - row.v[k]);
+    }
 }
 
 // A sample of a row at the middle of a pixel column.
@@ -49,6 +89,86 @@ struct RowSample {
     Scalar v = 0;  // where it goes, in pixels of the window
     Scalar weight = 1;
     Kind kind = Kind::Empty;
+};
+
+// The samples of a row by pixel column, each kind of number in a line of its own: of every column the
+// sample that is in it, or the first of several. The memory is the owner's.
+template <bool maps>
+struct SampleLine {
+    std::uint8_t* count;  // of the samples of a column; 2: or more
+    Carried<maps>* carried;
+    Scalar *v, *weight;
+    Kind* kind;  // with maps only
+
+    [[gnu::always_inline]] void set(int x, const RowSample<maps>& sample) const {
+        carried[x] = sample.carried;
+        v[x] = sample.v, weight[x] = sample.weight;
+        if constexpr (maps) kind[x] = sample.kind;
+    }
+    SampleLine from(int x) const {
+        return {count + x, carried + x, v + x, weight + x, maps ? kind + x : kind};
+    }
+};
+
+// Many of them, one below the other. What a row holds is undefined until it is cleared.
+template <bool maps>
+class SampleLines {
+  public:
+    // Takes new memory only for a larger picture than all before.
+    void fit(int width, int height) {
+        width_ = width, height_ = height;
+        if (size() > room_) *this = SampleLines(width, height, size());
+    }
+    int width() const { return width_; }
+    int height() const { return height_; }
+    SampleLine<maps> row(int y) const {
+        const std::size_t i = std::size_t(y) * std::size_t(width_);
+        return {&count_[i], &carried_[i], &v_[i], &weight_[i], maps ? &kind_[i] : nullptr};
+    }
+    SampleLine<maps> clear_row(int y) {
+        const SampleLine<maps> line = row(y);
+        std::fill_n(line.count, width_, std::uint8_t{0});
+        std::fill_n(line.v, width_, Scalar(0)), std::fill_n(line.weight, width_, Scalar(0));
+        return line;
+    }
+    // Makes the only row of a picture twice as wide; what it holds stays.
+    void widen() {
+        assert(height_ == 1);
+        SampleLines wider(2 * width_, 1, 2 * size());
+        const SampleLine<maps> from = row(0), to = wider.clear_row(0);
+        for (int x = 0; x < width_; ++x)
+            to.count[x] = from.count[x],
+            to.set(x, {from.carried[x], from.v[x], from.weight[x], maps ? from.kind[x] : Kind::Sampled});
+        *this = std::move(wider);
+    }
+    // Kind::Empty: there is none.
+    RowSample<maps> at(int x, int y) const {
+        assert(0 <= x && x < width_ && 0 <= y && y < height_);
+        const SampleLine<maps> line = row(y).from(x);
+        if (*line.count == 0) return {};
+        return {*line.carried, *line.v, *line.weight, maps ? *line.kind : Kind::Sampled};
+    }
+
+    SampleLines() = default;
+
+  private:
+    SampleLines(int width, int height, std::size_t room)
+        : width_(width),
+          height_(height),
+          room_(room),
+          count_(new std::uint8_t[room]),
+          carried_(new Carried<maps>[room]),
+          v_(new Scalar[room]),
+          weight_(new Scalar[room]),
+          kind_(maps ? new Kind[room] : nullptr) {}
+    std::size_t size() const { return std::size_t(width_) * std::size_t(height_); }
+
+    int width_ = 0, height_ = 0;
+    std::size_t room_ = 0;
+    std::unique_ptr<std::uint8_t[]> count_;
+    std::unique_ptr<Carried<maps>[]> carried_;
+    std::unique_ptr<Scalar[]> v_, weight_;
+    std::unique_ptr<Kind[]> kind_;
 };
 
 // What texel (x, y) carries, c, as a resampler takes it along: the maps want to know where it came from,
@@ -73,71 +193,91 @@ struct RowEnd {
 
 // The samples between a and b, a being the texel of the lower number or that of which b sticks out.
 template <bool maps, class Method, class Emit>
-[[gnu::always_inline]] inline void sample_between(const RowEnd<maps>& a, const RowEnd<maps>& b, bool across,
-                                                  const DepthWarp& warp, Emit& emit) {
+[[gnu::noinline]] void sample_between(const RowEnd<maps>& a, const RowEnd<maps>& b, bool across,
+                                      const DepthWarp& warp, Emit& emit) {
     const int from = std::min(a.column, b.column), to = std::max(a.column, b.column);
     if (from == to) return;
     const Scalar inverse = 1 / (b.u - a.u);
-    for (int x = from; x < to; ++x) {
-        const Scalar at = static_cast<Scalar>(x) + Scalar(0.5), t = (at - a.u) * inverse,
-                     weight = a.weight + t * (b.weight - a.weight);
-        RowSample<maps>& sample = emit(x);
-        sample.carried = lerp(a.carried, b.carried, t * b.weight / weight);
-        sample.v = a.v + t * (b.v - a.v);
-        sample.weight = weight;
-        sample.kind = maps ? kind_between(at, a.u, b.u, Kind::Sampled, Kind::Sampled, across) : Kind::Sampled;
-        Method::adjust(sample, a.carried, b.carried, t, warp);
-    }
+    for (int x = from; x < to; ++x)
+        emit(x, [&] {
+            const Scalar at = static_cast<Scalar>(x) + Scalar(0.5), t = (at - a.u) * inverse,
+                         weight = a.weight + t * (b.weight - a.weight);
+            RowSample<maps> sample{
+                lerp(a.carried, b.carried, t * b.weight / weight), a.v + t * (b.v - a.v), weight,
+                maps ? kind_between(at, a.u, b.u, Kind::Sampled, Kind::Sampled, across) : Kind::Sampled};
+            Method::adjust(sample, a.carried, b.carried, t, warp);
+            return sample;
+        });
 }
 
 // The samples from texel k half a texel to the left (side -1) or to the right (1).
 template <bool maps, class Method, class Emit>
-[[gnu::noinline]] void stick_out_of_row(const PreparedRelief& relief, const WarpedRow& row, int k, int side,
+[[gnu::noinline]] void stick_out_of_row(const PreparedRelief& relief, WarpedRow& row, int k, int side,
                                         const DepthWarp& warp, const Window& window, Emit& emit) {
-    const auto i = static_cast<std::size_t>(k);
     const Carried<maps> c = carried_by<maps>(relief.carried.row(row.y)[k], k, row.y);
     Carried<maps> end = c;
-    const Scalar depth = depth_beyond(c.depth(), relief.slope_u.row(row.y)[k]),
+    const Scalar depth = depth_beyond(c.depth(), relief.growth_u.row(row.y)[k]),
                  weight = weight_at(depth, warp),
                  u = warped_u(static_cast<Scalar>(2 * k + 1 + side) / 2, depth, warp) -
                      static_cast<Scalar>(window.x0),
                  v = warped_v(static_cast<Scalar>(row.y) + Scalar(0.5), depth, warp) -
                      static_cast<Scalar>(window.y0);
     end.set_depth(depth);
-    sample_between<maps, Method>({c, row.u[i], row.v[i], row.weight[i], row.column[i]},
-                                 {end, u, v, weight, first_pixel(u, static_cast<Scalar>(window.width))},
+    const int column = row.column[k], beyond = first_pixel(u, static_cast<Scalar>(window.width));
+    if (side * (beyond - column) <= 0) return;
+    row.columns = {std::min(row.columns.x0, beyond), std::max(row.columns.x1, beyond)};
+    sample_between<maps, Method>({c, row.u[k], row.v[k], row.weight[k], column}, {end, u, v, weight, beyond},
                                  false, warp, emit);
 }
 
-// The samples of a row in the order of painting. emit(x) gives the place for the sample of pixel column
-// x. Method: what is interpolated how (resample_two_passes.hpp).
+// The samples of a row in the order of painting: emit(x, sample) for one in pixel column x, where
+// sample() computes it. They lie in row.columns, which may grow here. Method: what is interpolated how
+// (resample_two_passes.hpp).
 template <bool maps, class Method, class Emit>
-void resample_row(const PreparedRelief& relief, const WarpedRow& row, const DepthWarp& warp,
-                  const OcclusionOrder& order, const Window& window, Emit&& emit) {
+void resample_row(const PreparedRelief& relief, WarpedRow& row, const DepthWarp& warp,
+                  const OcclusionOrder& order, const Window& window, Emit emit) {
     const raster::Span covered = relief.covered[std::size_t(row.y)];
     if (covered.x0 >= covered.x1) return;
     const Gap* const gaps = relief.gap.row(row.y) + 1;
     const Carried<false>* const carried = relief.carried.row(row.y);
-    const Scalar *const u = row.u.data(), *const v = row.v.data(), *const weight = row.weight.data();
-    const int *const column = row.column.data(), y = row.y;
-    for_each_gap(order.u - covered.x0, covered.x1 - covered.x0, order.toward,
-                 [=, &relief, &row, &warp, &window, &emit](int i) {
-                     const int k = i + covered.x0;
-                     const Gap gap = gaps[k];
-                     if (gap >= Gap::Joined) {
-                         if (column[k] == column[k + 1]) return;
-                         sample_between<maps, Method>(
-                             {carried_by<maps>(carried[k], k, y), u[k], v[k], weight[k], column[k]},
-                             {carried_by<maps>(carried[k + 1], k + 1, y), u[k + 1], v[k + 1], weight[k + 1],
-                              column[k + 1]},
-                             gap == Gap::Across, warp, emit);
-                     } else if (gap != Gap::Empty) {
-                         if (gap != Gap::BeforeSecond)
-                             stick_out_of_row<maps, Method>(relief, row, k, 1, warp, window, emit);
-                         if (gap != Gap::AfterFirst)
-                             stick_out_of_row<maps, Method>(relief, row, k + 1, -1, warp, window, emit);
-                     }
-                 });
+    sample_gaps(gaps, covered, row);
+    const int y = row.y;
+    // the first sample of a connection
+    const auto first_sample = [&](int k) {
+        const auto& a = carried_by<maps>(carried[k], k, y);
+        const auto& b = carried_by<maps>(carried[k + 1], k + 1, y);
+        const Kind kind =
+            maps ? kind_between(static_cast<Scalar>(row.from[k]) + Scalar(0.5), row.u[k], row.u[k + 1],
+                                Kind::Sampled, Kind::Sampled, gaps[k] == Gap::Across)
+                 : Kind::Sampled;
+        RowSample<maps> sample{lerp<maps>(a, b, row.corrected[k]), row.sample_v[k], row.sample_weight[k],
+                               kind};
+        Method::adjust(sample, a, b, row.t[k], warp);
+        return sample;
+    };
+    for (const Run& run : gap_runs(order.u - covered.x0, covered.x1 - covered.x0, order.toward)) {
+        for (int i = 0, k = run.first + covered.x0; i < run.count; ++i, k += run.step) {
+            const WarpedRow::Work work = row.work[k + 1];
+            if (work == WarpedRow::None) continue;
+            if (work == WarpedRow::OneSample) [[likely]] {
+                emit(row.from[k], [&] { return first_sample(k); });
+                continue;
+            }
+            const Gap gap = gaps[k];
+            if (gap >= Gap::Joined) {
+                sample_between<maps, Method>(
+                    {carried_by<maps>(carried[k], k, y), row.u[k], row.v[k], row.weight[k], row.column[k]},
+                    {carried_by<maps>(carried[k + 1], k + 1, y), row.u[k + 1], row.v[k + 1],
+                     row.weight[k + 1], row.column[k + 1]},
+                    gap == Gap::Across, warp, emit);
+            } else {
+                if (gap != Gap::BeforeSecond)
+                    stick_out_of_row<maps, Method>(relief, row, k, 1, warp, window, emit);
+                if (gap != Gap::AfterFirst)
+                    stick_out_of_row<maps, Method>(relief, row, k + 1, -1, warp, window, emit);
+            }
+        }
+    }
 }
 
 }  // namespace relevo::relief

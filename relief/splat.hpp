@@ -11,11 +11,11 @@ void splat(const PreparedRelief& relief, const Warp& warp, const PrewarpSettings
     const Window& window = result.window;
     const Painter<maps> painter(result, settings.depth_test);
     const Scalar width = static_cast<Scalar>(window.width), height = static_cast<Scalar>(window.height);
-    WarpedRow row(relief.camera.width);
+    const std::unique_ptr<WarpedRow> row = make_warped_row();
     for_each_in_order(occlusion_order(warp, settings.painting), relief.camera.width, relief.camera.height,
                       [&](int x, int y) {
-                          if (row.y != y) warp_row(relief, warp, window, y, row);
-                          const Scalar u = row.u[std::size_t(x)], v = row.v[std::size_t(x)];
+                          if (row->y != y) warp_row(relief, warp, window, y, *row);
+                          const Scalar u = row->u[x], v = row->v[x];
                           if (!is_covered(relief, x, y) || !(u >= 0 && u < width && v >= 0 && v < height))
                               return;
                           painter.paint(static_cast<int>(u), static_cast<int>(v),

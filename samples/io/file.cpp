@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <vector>
 
 namespace relevo::io {
 namespace {
@@ -93,12 +94,59 @@ std::string without_links(const std::string& path) {
     return real ? real.get() : path;
 }
 
+FileError not_written(const std::string& path, int error) {
+    return error_in(path, "cannot be written: " + why(error));
+}
+
 Failure write_directly(const std::string& path, std::string_view bytes) {
     Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
     const int error = file.number() < 0 ? errno : write_all(file.number(), bytes);
-    if (error == 0) return std::nullopt;
-    return error_in(path, "cannot be written: " + why(error));
+    return error == 0 ? Failure() : not_written(path, error);
 }
+
+// Files that are whole under temporary names beside their places. Those that were not put there vanish.
+class TemporaryFiles {
+  public:
+    TemporaryFiles() = default;
+    TemporaryFiles(const TemporaryFiles&) = delete;
+    TemporaryFiles& operator=(const TemporaryFiles&) = delete;
+    ~TemporaryFiles() {
+        for (const File& file : files_) ::unlink(file.temporary.c_str());
+    }
+
+    Failure write(const std::string& path, std::string_view bytes) {
+        const std::string target = without_links(path);
+        struct stat status {};
+        const bool exists = ::stat(target.c_str(), &status) == 0;
+        if (exists && S_ISDIR(status.st_mode)) return not_written(path, EISDIR);
+        if (exists && !S_ISREG(status.st_mode)) return write_directly(path, bytes);
+        if (exists && ::access(target.c_str(), W_OK) != 0) return not_written(path, errno);
+
+        const std::string temporary = fmt::format("{}.part-{}", target, ::getpid());
+        Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+        if (file.number() < 0) return not_written(path, errno);
+        files_.push_back({path, target, temporary});
+        if (exists) (void)!::fchmod(file.number(), status.st_mode & 07777);
+        int error = write_all(file.number(), bytes);
+        if (file.close() != 0 && error == 0) error = errno;
+        return error == 0 ? Failure() : not_written(path, error);
+    }
+
+    Failure put_in_place() {
+        for (; !files_.empty(); files_.erase(files_.begin())) {
+            const File& file = files_.front();
+            if (::rename(file.temporary.c_str(), file.target.c_str()) != 0)
+                return not_written(file.path, errno);
+        }
+        return std::nullopt;
+    }
+
+  private:
+    struct File {
+        std::string path, target, temporary;
+    };
+    std::vector<File> files_;
+};
 
 }  // namespace
 
@@ -139,24 +187,16 @@ FileResult<std::string> read_text(const std::string& path, std::size_t size_limi
 }
 
 Failure write_file(const std::string& path, std::string_view bytes) {
-    const auto failure = [&](int error) { return error_in(path, "cannot be written: " + why(error)); };
-    const std::string target = without_links(path);
-    struct stat status {};
-    const bool exists = ::stat(target.c_str(), &status) == 0;
-    if (exists && S_ISDIR(status.st_mode)) return failure(EISDIR);
-    if (exists && !S_ISREG(status.st_mode)) return write_directly(path, bytes);
-    if (exists && ::access(target.c_str(), W_OK) != 0) return failure(errno);
+    TemporaryFiles files;
+    if (const Failure failure = files.write(path, bytes)) return failure;
+    return files.put_in_place();
+}
 
-    const std::string temporary = fmt::format("{}.part-{}", target, ::getpid());
-    Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-    if (file.number() < 0) return failure(errno);
-    if (exists) (void)!::fchmod(file.number(), status.st_mode & 07777);
-    int error = write_all(file.number(), bytes);
-    if (file.close() != 0 && error == 0) error = errno;
-    if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
-    if (error == 0) return std::nullopt;
-    ::unlink(temporary.c_str());
-    return failure(error);
+Failure write_files(std::span<const FileToWrite> files) {
+    TemporaryFiles temporary;
+    for (const FileToWrite& file : files)
+        if (const Failure failure = temporary.write(file.path, file.bytes)) return failure;
+    return temporary.put_in_place();
 }
 
 }  // namespace relevo::io

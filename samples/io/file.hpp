@@ -1,6 +1,7 @@
 // Whole files in and out. What is written appears complete or not at all.
 #pragma once
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -22,5 +23,12 @@ FileResult<std::string> read_text(const std::string& path, std::size_t size_limi
 // the new ones. A failure (full disk, file-size limit, folder that is missing or not writable) leaves nothing
 // behind. A device or a pipe is written directly.
 Failure write_file(const std::string& path, std::string_view bytes);
+
+// write_file for files that belong together: each is whole under its temporary name before the first one is
+// renamed, so that a full disk leaves the old ones or nothing.
+struct FileToWrite {
+    std::string path, bytes;
+};
+Failure write_files(std::span<const FileToWrite> files);
 
 }  // namespace relevo::io

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <optional>
 
 #include "samples/io/file.hpp"
 #include "samples/io/words.hpp"
@@ -13,6 +14,15 @@ namespace relevo::io {
 namespace {
 
 using pipeline::Scalar;
+
+struct Materials {
+    std::vector<ObjMaterial> all;
+    // Of the last one. Exporters differ in what they mean by Tr, so d decides where both stand.
+    std::optional<float> d, tr;
+    bool map_d = false;
+
+    void set_transparent() { all.back().transparent = map_d || (d ? *d < 1 : tr && *tr > 0); }
+};
 
 // Ka Kd Ks: one number (grey) or three.
 FileResult<std::array<Scalar, 3>> read_color(const std::string& file, Words& words, const Word& keyword) {
@@ -54,6 +64,22 @@ Failure read_shininess(const std::string& file, Words& words, pipeline::Material
     return std::nullopt;
 }
 
+// d (1 is opaque) and Tr (0 is). Both may stand there: exporters differ in what they mean by Tr, so d
+// decides.
+Failure read_opacity(const std::string& file, Words& words, const Word& keyword, Materials& materials) {
+    const bool is_d = keyword.text == "d";
+    Word word = words.in_line();
+    if (is_d && word.text == "-halo") word = words.in_line();
+    const auto number = parse_float(word.text);
+    if (!number || *number < 0 || *number > 1)
+        return error_at(file, word,
+                        fmt::format("{} is no {}, {} takes a number from 0 to 1", in_quotes(word.text),
+                                    is_d ? "opacity" : "transparency", keyword.text));
+    (is_d ? materials.d : materials.tr) = number;
+    materials.set_transparent();
+    return std::nullopt;
+}
+
 Failure read_texture(const std::string& file, Words& words, ObjMaterial& material) {
     const Word name = words.rest_of_line();
     if (name.text.empty()) return error_at(file, name, "a file name is missing after map_Kd");
@@ -63,23 +89,30 @@ Failure read_texture(const std::string& file, Words& words, ObjMaterial& materia
     return std::nullopt;
 }
 
-Failure read_statement(const std::string& file, Words& words, std::vector<ObjMaterial>& materials) {
+Failure read_statement(const std::string& file, Words& words, Materials& materials) {
     const Word keyword = words.in_line();
     if (keyword.text == "newmtl") {
         const Word name = words.rest_of_line();
         if (name.text.empty()) return error_at(file, name, "a name is missing after newmtl");
-        materials.push_back({std::string(name.text), {}, ""});
+        materials.all.push_back({std::string(name.text), {}, ""});
+        materials.d = materials.tr = std::nullopt, materials.map_d = false;
         return std::nullopt;
     }
     const bool is_color = keyword.text == "Ka" || keyword.text == "Kd" || keyword.text == "Ks";
-    if (!is_color && keyword.text != "Ns" && keyword.text != "map_Kd") return std::nullopt;
-    if (materials.empty())
+    const bool is_opacity = keyword.text == "d" || keyword.text == "Tr" || keyword.text == "map_d";
+    if (!is_color && !is_opacity && keyword.text != "Ns" && keyword.text != "map_Kd") return std::nullopt;
+    if (materials.all.empty())
         return error_at(file, keyword, fmt::format("{} before the first newmtl", in_quotes(keyword.text)));
-    if (keyword.text == "Ns") return read_shininess(file, words, materials.back().material);
-    if (keyword.text == "map_Kd") return read_texture(file, words, materials.back());
+    if (keyword.text == "Ns") return read_shininess(file, words, materials.all.back().material);
+    if (keyword.text == "map_Kd") return read_texture(file, words, materials.all.back());
+    if (keyword.text == "map_d") {
+        materials.map_d = true, materials.set_transparent();
+        return std::nullopt;
+    }
+    if (is_opacity) return read_opacity(file, words, keyword, materials);
     const auto color = read_color(file, words, keyword);
     if (!color) return color.error();
-    set_color(materials.back().material, keyword.text, *color);
+    set_color(materials.all.back().material, keyword.text, *color);
     return std::nullopt;
 }
 
@@ -94,12 +127,12 @@ std::string path_beside(const std::string& file, std::string_view name) {
 FileResult<std::vector<ObjMaterial>> read_mtl(const std::string& path) {
     const auto text = read_text(path);
     if (!text) return text.error();
-    std::vector<ObjMaterial> materials;
+    Materials materials;
     Words words(*text);
     do {
         if (const Failure failure = read_statement(path, words, materials)) return *failure;
     } while (words.next_line());
-    return materials;
+    return std::move(materials.all);
 }
 
 }  // namespace relevo::io

@@ -13,9 +13,10 @@
 
 namespace relevo::io {
 
-// Reads newmtl Ka Kd Ks Ns map_Kd; other statements are ignored. What a material leaves out keeps the value
-// of pipeline::Material. Channels above 1 count as 1. Errors, at the exact token: not a finite float32, below
-// 0, a missing number, a statement before the first newmtl, options of map_Kd; and those of read_text.
+// Reads newmtl Ka Kd Ks Ns map_Kd, and d Tr map_d for whether it is transparent; other statements are
+// ignored. What a material leaves out keeps the value of pipeline::Material. Channels above 1 count as 1.
+// Errors, at the exact token: not a finite float32, below 0, a missing number, an opacity or transparency
+// outside 0..1, a statement before the first newmtl, options of map_Kd; and those of read_text.
 FileResult<std::vector<ObjMaterial>> read_mtl(const std::string& path);
 
 // `name` seen from the folder of `file`: backslashes (of Windows) are slashes, absolute paths stay.

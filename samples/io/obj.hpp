@@ -17,6 +17,9 @@ struct ObjMaterial {
     std::string name;
     pipeline::Material material;
     std::string texture_path;  // map_Kd, relative to the MTL file's folder; empty without one
+    // By d < 1, map_d or, without a d, Tr > 0. Everything is drawn opaque; but a relief texture, which keeps
+    // one surface a texel, would be wrong.
+    bool transparent = false;
 };
 
 // The faces of one object (or group) with one material.

@@ -53,17 +53,17 @@ int read_image(const char* path, Allocate allocate, void* user, const Report& re
     return 0;
 }
 
-int encode_exr(int width, int height, const float* rows, TakeBytes take, void* user, const Report& report) {
+int encode_image(const ImageShape& shape, const void* rows, TakeBytes take, void* user,
+                 const Report& report) {
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput file(bytes);
-    const auto output = OIIO::ImageOutput::create("depth.exr", &file);
+    const char* const name = shape.kind == NumberKind::Float ? "image.exr" : "image.png";
+    const auto output = OIIO::ImageOutput::create(name, &file);
     if (!output) return report.failed(OIIO::geterror());
-    OIIO::ImageSpec spec(width, height, 1, OIIO::TypeDesc::FLOAT);
-    spec.channelnames = {"Z"};
-    spec.z_channel = 0;
-    spec.attribute("compression", "zip");
-    if (!output->open("depth.exr", spec) || !output->write_image(OIIO::TypeDesc::FLOAT, rows) ||
-        !output->close())
+    OIIO::ImageSpec spec(shape.width, shape.height, shape.channels, type_of(shape.kind));
+    if (shape.kind == NumberKind::Float) spec.attribute("compression", "zip");
+    if (shape.kind == NumberKind::Float && shape.channels == 1) spec.channelnames = {"Z"}, spec.z_channel = 0;
+    if (!output->open(name, spec) || !output->write_image(spec.format, rows) || !output->close())
         return report.failed(output->geterror());
     take(user, bytes.data(), bytes.size());
     return 0;
@@ -90,9 +90,10 @@ RELEVO_EXPORT int relevo_oiio_read_image(const char* path, relevo::io::Allocate 
         report, [&] { return relevo::io::read_image(path, allocate, user, report); });
 }
 
-RELEVO_EXPORT int relevo_oiio_encode_exr(int width, int height, const float* rows, relevo::io::TakeBytes take,
-                                         void* user, char* message, std::size_t message_size) {
+RELEVO_EXPORT int relevo_oiio_encode_image(const relevo::io::ImageShape* shape, const void* rows,
+                                           relevo::io::TakeBytes take, void* user, char* message,
+                                           std::size_t message_size) {
     const relevo::io::Report report{message, message_size};
     return relevo::io::without_exceptions(
-        report, [&] { return relevo::io::encode_exr(width, height, rows, take, user, report); });
+        report, [&] { return relevo::io::encode_image(*shape, rows, take, user, report); });
 }

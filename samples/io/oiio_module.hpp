@@ -21,11 +21,12 @@ using TakeBytes = void (*)(void* user, const void* bytes, std::size_t size);
 // what went wrong; it is empty when `allocate` refused.
 using ReadImageFunction = int(const char* path, Allocate allocate, void* user, char* message,
                               std::size_t message_size);
-using EncodeExrFunction = int(int width, int height, const float* rows, TakeBytes take, void* user,
-                              char* message, std::size_t message_size);
+// Float numbers become an EXR file (lossless; a single channel is called Z), integers a PNG file.
+using EncodeImageFunction = int(const ImageShape* shape, const void* rows, TakeBytes take, void* user,
+                                char* message, std::size_t message_size);
 
 inline constexpr char module_file[] = "lib/relevo/relevo_oiio.so";
 inline constexpr char read_image_name[] = "relevo_oiio_read_image";
-inline constexpr char encode_exr_name[] = "relevo_oiio_encode_exr";
+inline constexpr char encode_image_name[] = "relevo_oiio_encode_image";
 
 }  // namespace relevo::io

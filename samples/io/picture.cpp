@@ -68,15 +68,25 @@ Failure check_file(const std::string& path) {
 }
 
 struct Target {
+    const PixelShape* needed;  // or null
     Pixels pixels;
     std::string refusal;
 };
 
+std::string wrong_shape(const ImageShape& shape, const PixelShape* needed) {
+    if (std::string wrong = wrong_size(shape.width, shape.height); !wrong.empty()) return wrong;
+    if (shape.channels < 1 || shape.channels > 4)
+        return fmt::format("the image has {} channels, accepted are 1 to 4", shape.channels);
+    if (!needed || (shape.width == needed->width && shape.height == needed->height &&
+                    shape.channels == needed->channels))
+        return "";
+    return fmt::format("the image has {} x {} pixels of {} channels, needed are {} x {} of {}", shape.width,
+                       shape.height, shape.channels, needed->width, needed->height, needed->channels);
+}
+
 void* allocate(void* user, const ImageShape* shape) {
     Target& target = *static_cast<Target*>(user);
-    target.refusal = wrong_size(shape->width, shape->height);
-    if (target.refusal.empty() && (shape->channels < 1 || shape->channels > 4))
-        target.refusal = fmt::format("the image has {} channels, accepted are 1 to 4", shape->channels);
+    target.refusal = wrong_shape(*shape, target.needed);
     if (!target.refusal.empty()) return nullptr;
     Pixels& pixels = target.pixels;
     pixels.width = shape->width, pixels.height = shape->height, pixels.channels = shape->channels;
@@ -126,18 +136,35 @@ const float* float_rows(const Numbers& numbers, std::vector<float>& copy) {
     }
 }
 
-}  // namespace
-
-FileResult<Pixels> read_pixels(const std::string& path) {
+FileResult<Pixels> read_shape(const std::string& path, const PixelShape* needed) {
     if (const Failure failure = check_file(path)) return *failure;
     const auto read = module_function<ReadImageFunction>(read_image_name);
     if (!read) return error_in(path, "cannot be read: " + read.error().message);
-    Target target;
+    Target target{needed, {}, {}};
     char message[256] = "";
     if ((*read)(path.c_str(), allocate, &target, message, sizeof message) == 0)
         return std::move(target.pixels);
     if (!target.refusal.empty()) return error_in(path, target.refusal);
     return error_in(path, fmt::format("cannot be read as an image: {}", message));
+}
+
+FileResult<std::string> encode(const std::string& path, const ImageShape& shape, const void* rows) {
+    const auto encode_image = module_function<EncodeImageFunction>(encode_image_name);
+    if (!encode_image) return error_in(path, "cannot be written: " + encode_image.error().message);
+    std::string file;
+    const TakeBytes take = [](void* user, const void* bytes, std::size_t size) {
+        static_cast<std::string*>(user)->assign(static_cast<const char*>(bytes), size);
+    };
+    char message[256] = "";
+    if ((*encode_image)(&shape, rows, take, &file, message, sizeof message) == 0) return file;
+    return error_in(path, fmt::format("cannot be written: {}", message));
+}
+
+}  // namespace
+
+FileResult<Pixels> read_pixels(const std::string& path) { return read_shape(path, nullptr); }
+FileResult<Pixels> read_pixels(const std::string& path, const PixelShape& needed) {
+    return read_shape(path, &needed);
 }
 
 FileResult<Picture> read_picture(const std::string& path) {
@@ -176,26 +203,20 @@ FileResult<raster::Image<float>> read_exr(const std::string& path) {
     return image;
 }
 
+FileResult<std::string> image_bytes(const std::string& path, const Pixels& pixels) {
+    const NumberKind kinds[] = {NumberKind::Uint8, NumberKind::Uint16, NumberKind::Float};
+    const ImageShape shape{pixels.width, pixels.height, pixels.channels, kinds[pixels.samples.index()]};
+    return encode(
+        path, shape,
+        std::visit([](const auto& samples) -> const void* { return samples.data(); }, pixels.samples));
+}
+
 Failure write_exr(const std::string& path, const raster::Image<Scalar>& image) {
     if (image.empty()) return error_in(path, "cannot be written: the image has no pixels");
-    const auto encode = module_function<EncodeExrFunction>(encode_exr_name);
-    if (!encode) return error_in(path, "cannot be written: " + encode.error().message);
-    struct Target {
-        const std::string& path;
-        Failure failure;
-    } target{path, std::nullopt};
-    const TakeBytes take = [](void* user, const void* bytes, std::size_t size) {
-        Target& to = *static_cast<Target*>(user);
-        to.failure = write_file(to.path, {static_cast<const char*>(bytes), size});
-    };
-    char message[256] = "";
-    const auto write = [&](const float* rows) {
-        return (*encode)(image.width(), image.height(), rows, take, &target, message, sizeof message) == 0;
-    };
     std::vector<float> copy;
-    const bool written = write(float_rows(image.pixels(), copy));
-    if (!written) return error_in(path, fmt::format("cannot be written: {}", message));
-    return target.failure;
+    const auto bytes =
+        encode(path, {image.width(), image.height(), 1, NumberKind::Float}, float_rows(image.pixels(), copy));
+    return bytes ? write_file(path, *bytes) : bytes.error();
 }
 
 }  // namespace relevo::io

@@ -33,6 +33,12 @@ struct Picture {
 // a side, more than 4 channels.
 FileResult<Pixels> read_pixels(const std::string& path);
 
+// The same for an image that must have this shape: any other is an error, before memory is taken for it.
+struct PixelShape {
+    int width, height, channels;
+};
+FileResult<Pixels> read_pixels(const std::string& path, const PixelShape& needed);
+
 // Grey becomes RGB; 16 bits are rounded to 8; float is linear light and becomes sRGB codes.
 FileResult<Picture> read_picture(const std::string& path);
 
@@ -41,6 +47,10 @@ FileResult<raster::Image<raster::Rgba8>> read_image(const std::string& path);
 
 // The first channel of an image file as float: what write_exr wrote comes back bit for bit.
 FileResult<raster::Image<float>> read_exr(const std::string& path);
+
+// The bytes of an image file of these numbers: EXR (lossless) for float, else PNG. Its colours are stored as
+// they are. The same numbers give the same bytes. `path` stands in errors.
+FileResult<std::string> image_bytes(const std::string& path, const Pixels& pixels);
 
 // One channel "Z" of 32-bit float (lossless), complete or not at all.
 Failure write_exr(const std::string& path, const raster::Image<pipeline::Scalar>& image);

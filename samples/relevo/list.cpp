@@ -9,6 +9,8 @@
 #include "samples/scene/accuracy.hpp"
 #include "samples/scene/choices.hpp"
 #include "samples/scene/generators.hpp"
+#include "samples/scene/relief_objects.hpp"
+#include "samples/show/relief_stages.hpp"
 
 namespace relevo::command {
 namespace {
@@ -163,7 +165,12 @@ void print_knob(std::string_view key, const scene::Choice<Meaning> (&choices)[co
     }
 }
 
-void list_stages() { print_all(stages); }
+void list_stages() {
+    print_all(stages);
+    say("\nOf objects that are shown by pictures (representation, surface):\n");
+    for (const show::ReliefStageInfo& stage : show::relief_stages())
+        print({stage.name, stage.sentence}, 2, 24);
+}
 
 template <class Meaning, std::size_t count>
 void print_choices(const scene::Choice<Meaning> (&choices)[count]) {
@@ -172,6 +179,12 @@ void print_choices(const scene::Choice<Meaning> (&choices)[count]) {
 
 void list_algorithms() {
     print_all(algorithms);
+    say("\nReliefs, [[object]] representation = \"name\":\n");
+    print_choices(scene::representations);
+    say("\nReliefs, [object.relief] resampler = \"name\":\n");
+    print_choices(scene::resamplers);
+    say("\nReliefs, [object.relief] search = \"name\":\n");
+    print_choices(scene::searches);
     say("\nLessons, [[shape2d]] algorithm = \"name\":\n");
     print_choices(scene::scan_algorithms);
     say("\nLessons, [[shape2d]] antialiasing = \"name\":\n");
@@ -195,6 +208,8 @@ void list_formats() {
     say("\nShapes made by Relevo itself (mesh = \"name\"):\n");
     for (const scene::Generator& generator : scene::generators())
         print({generator.name, generator.sentence}, 2);
+    say("\nSurfaces that rays are cast at (surface = \"name\"):\n");
+    for (const scene::SurfaceInfo& surface : scene::surfaces()) print({surface.name, surface.sentence}, 2);
 }
 
 // "midpoint, dda, ...": the first is the default.
@@ -214,6 +229,17 @@ void list_knobs() {
     print_knob("cull", scene::culls, standard.cull);
     print_knob("path", scene::paths, standard.path);
     print_knob("instruction_set", scene::instruction_sets, standard.instruction_set);
+    constexpr relief::RepresentationSettings relief;
+    say("\nKeys of [object.relief]:\n\n");
+    print_knob("resampler", scene::resamplers, relief.prewarp.resampler);
+    print_knob("jump", scene::jumps, relief.prewarp.jump);
+    print_knob("source", scene::relief_sources, relief.projection);
+    print_knob("bits", scene::depth_bits, relief.bits);
+    print_knob("light", scene::relief_lights, relief.lit);
+    print_knob("reading", scene::readings, relief.reading);
+    print_knob("search", scene::searches, relief.search);
+    print_knob("end", scene::solid_ends, relief.end);
+    print_knob("composite", scene::composites, relief.composite);
     say("\nKeys of [pipeline] in a lesson, for all shapes that say nothing themselves:\n\n");
     print_knob("fill_rule", scene::fill_rules, raster::FillRule::TopLeft);
     say("algorithm\n");

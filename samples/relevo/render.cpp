@@ -1,8 +1,10 @@
 // relevo render: a scene in, a picture out.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -15,7 +17,8 @@
 #include "samples/io/suggest.hpp"
 #include "samples/io/words.hpp"
 #include "samples/relevo/commands.hpp"
-#include "samples/scene/scene.hpp"
+#include "samples/scene/animation.hpp"
+#include "samples/scene/draw_scene.hpp"
 #include "samples/scene/shapes2d.hpp"
 #include "samples/scene/statistics.hpp"
 
@@ -23,7 +26,7 @@ namespace relevo::command {
 namespace {
 
 struct RenderOptions {
-    std::string scene, output, size, raw_depth, statistics, threads;
+    std::string scene, output, size, raw_depth, statistics, threads, frames;
     std::vector<std::string> set;
 };
 
@@ -80,26 +83,90 @@ void print_statistics(const RenderOptions& options, const Statistics& statistics
     say("{:>12.3f}  milliseconds to load the scene\n{:>12.3f}  milliseconds to draw it\n", load, draw);
 }
 
+// "out.png" and 12: "out-0012.png".
+std::string numbered(const std::string& path, int number) {
+    const std::filesystem::path p(path);
+    return (p.parent_path() / fmt::format("{}-{:04}{}", p.stem().string(), number, p.extension().string()))
+        .string();
+}
+
+// The argument of --frames, "A-B" or "A": the first and the last picture of the row.
+io::FileResult<std::pair<int, int>> parse_frames(const std::string& text, const scene::LoadedScene& loaded) {
+    const int count = loaded.animation ? loaded.animation->frames : 1;
+    if (text.empty()) return std::pair<int, int>{0, count - 1};
+    const auto wrong = [&](const std::string& accepted) {
+        return io::FileError{{"--frames " + text, 0, 0}, accepted};
+    };
+    if (!loaded.animation) return wrong("this scene has no [animation], and so a single picture");
+    const std::size_t dash = text.find('-');
+    const auto first = io::parse_integer(text.substr(0, dash)),
+               last = dash == std::string::npos ? first : io::parse_integer(text.substr(dash + 1));
+    if (first && last && 0 <= *first && *first <= *last && *last < count)
+        return std::pair<int, int>{*first, *last};
+    return wrong(fmt::format("accepted: A-B or A, whole numbers from 0 to {}", count - 1));
+}
+
+// "frame 12 of 36", over and over in one line, where somebody looks at it and it takes more than a second.
+class Progress {
+  public:
+    explicit Progress(int count) : count_(count), shown_(isatty(2) != 0 && count > 1) {}
+    ~Progress() {
+        if (written_) std::fprintf(stderr, "\r%*s\r", width, "");
+    }
+    void step() {
+        ++done_;
+        if (!shown_ || milliseconds_since(start_) < 1000) return;
+        written_ = true;
+        std::fprintf(stderr, "\r%-*s", width, fmt::format("frame {} of {}", done_, count_).c_str());
+    }
+
+  private:
+    static constexpr int width = 30;
+    Clock::time_point start_ = Clock::now();
+    int count_, done_ = 0;
+    bool shown_, written_ = false;
+};
+
 int render_objects(const RenderOptions& options, const scene::LoadedScene& loaded, const std::string& output,
                    int threads, double load) {
+    const auto frames = parse_frames(options.frames, loaded);
+    if (!frames) return refuse(frames.error());
     raster::Frame frame = scene::make_frame(loaded);
     std::optional<raster::fast::Workers> workers;
     if (plan_path(loaded.scene, loaded.settings).fast) workers.emplace(threads);
     raster::fast::Workspace workspace;
     const Clock::time_point start = Clock::now();
-    const raster::Rendering rendering =
-        raster::render(loaded.scene, loaded.settings, frame, workspace, workers ? &*workers : nullptr);
-    const double draw = milliseconds_since(start);
+    const auto pictures = scene::take_pictures(loaded);
+    if (!pictures) return refuse(pictures.error());
+    double draw = milliseconds_since(start);
+    raster::Rendering rendering;
+    Progress progress(frames->second - frames->first + 1);
+    for (int number = frames->first; number <= frames->second; ++number, progress.step()) {
+        const Clock::time_point frame_start = Clock::now();
+        const auto drawn =
+            scene::draw_scene(loaded, *pictures, number, frame, workspace, workers ? &*workers : nullptr);
+        if (!drawn) return refuse(drawn.error());
+        draw += milliseconds_since(frame_start);
+        rendering = drawn->rendering;
+        for (const std::string& note : drawn->notes)
+            std::fprintf(stderr, "warning: %s%s\n",
+                         loaded.animation ? fmt::format("frame {}: ", number).c_str() : "", note.c_str());
+        const auto named = [&](const std::string& path) {
+            return loaded.animation ? numbered(path, number) : path;
+        };
+        if (const io::Failure failure = io::write_png(named(output), frame.color)) return refuse(*failure);
+        if (!options.raw_depth.empty())
+            if (const io::Failure failure = io::write_exr(named(options.raw_depth), frame.depth))
+                return refuse(*failure);
+    }
     if (loaded.settings.path == raster::Path::Fast && !rendering.plan.fast)
         std::fprintf(stderr, "warning: %s: pipeline.path is \"fast\", which is impossible here (%s)\n",
                      loaded.path.c_str(), rendering.plan.reason.c_str());
-    if (const io::Failure failure = io::write_png(output, frame.color)) return refuse(*failure);
-    if (!options.raw_depth.empty())
-        if (const io::Failure failure = io::write_exr(options.raw_depth, frame.depth))
-            return refuse(*failure);
     if (!options.statistics.empty()) {  // drawn once more: the probe costs time, but moves no pixel
-        scene::Statistics statistics = scene::statistics_of(loaded.scene);
-        raster::draw(loaded.scene, loaded.settings, frame, statistics);
+        raster::Scene scene = loaded.scene;
+        scene.camera = scene::camera_at(loaded, frames->second);
+        scene::Statistics statistics = scene::statistics_of(scene);
+        raster::draw(scene, loaded.settings, frame, statistics);
         print_statistics(options, statistics, rendering, load, draw);
     }
     return done;
@@ -107,6 +174,9 @@ int render_objects(const RenderOptions& options, const scene::LoadedScene& loade
 
 int render_lesson(const RenderOptions& options, const scene::LoadedScene& loaded, const std::string& output,
                   double load) {
+    if (!options.frames.empty())
+        return refuse(io::FileError{{"--frames " + options.frames, 0, 0},
+                                    "a lesson has one picture; only scenes with [animation] have frames"});
     if (!options.raw_depth.empty())
         return refuse(io::FileError{{"--raw-depth " + options.raw_depth, 0, 0},
                                     "a lesson has no depth buffer; only scenes of [[object]]s have one"});
@@ -177,6 +247,12 @@ void add_render(CLI::App& app, int& status) {
         ->add_option("--threads", options->threads,
                      "Threads of the fast path, 1 to 256; default: as many as there are cores.")
         ->type_name("N");
+    command
+        ->add_option(
+            "--frames", options->frames,
+            "Of a scene with [animation]: these pictures of the row; default: all. They are numbered: "
+            "NAME-0000.png.")
+        ->type_name("A-B");
     command->add_flag("--stats{text}", options->statistics,
                       "Print what happened, and milliseconds; --stats=json as JSON.");
     command->footer(

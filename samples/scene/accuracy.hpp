@@ -24,6 +24,7 @@ inline constexpr AccuracyRow accuracy_rows[] = {
     {"sin", "real numbers", "any angle up to a million degrees", 1, "2^-52", 74},
     {"cos", "real numbers", "any angle up to a million degrees", 1, "2^-52", 76},
     {"tan", "real numbers", "any angle up to a million degrees", 2, "2^-52 of the result", 158},
+    {"direction", "real numbers", "any direction", 1, "2^-44 degrees", 122},
     {"log2", "real numbers", "x > 0", 2, "2^-52 of the result", 72},
     {"exp2", "real numbers", "-1000 to 1000", 1, "2^-52 of the result", 92},
     {"power, exponent 32", "real numbers", "0.4 < x < 1, result > 2^-120", 32, "2^-24 of the result", 36},

@@ -6,6 +6,7 @@
 #include "raster/fast/draw_fast.hpp"
 #include "raster/scene.hpp"
 #include "raster/shape.hpp"
+#include "relief/representation.hpp"
 #include "samples/scene/scene.hpp"
 
 namespace relevo::scene {
@@ -147,6 +148,86 @@ inline constexpr Choice<raster::Side> sides[] = {
     {"right", raster::Side::Right, "as seen in the picture"},
     {"bottom", raster::Side::Bottom, "as seen in the picture"},
     {"top", raster::Side::Top, "as seen in the picture"},
+};
+
+inline constexpr Choice<Animation::Kind> animation_types[] = {
+    {"orbit", Animation::Kind::Orbit, "round the target at one distance and elevation"},
+    {"path", Animation::Kind::Path, "from eye to eye in straight lines"},
+};
+
+// ------------------------------------------------------------------------------------------- of reliefs
+inline constexpr Choice<relief::Representation> representations[] = {
+    {"geometry", relief::Representation::Geometry, "the object itself: triangles, or rays for a surface"},
+    {"relief", relief::Representation::Relief,
+     "a relief texture, pre-warped onto its plane and lit there (Oliveira 2000)"},
+    {"relief-box", relief::Representation::ReliefBox, "six relief textures round the object, nearest wins"},
+    {"relief-inverse", relief::Representation::ReliefInverse,
+     "a search along each line of sight through a relief texture (Policarpo 2005)"},
+    {"sprite", relief::Representation::Sprite, "one picture, flat"},
+    {"sprite-depth", relief::Representation::SpriteDepth,
+     "depths warped forwards, colours fetched backwards (Shade 1998)"},
+    {"ldi", relief::Representation::Ldi, "a layered depth image: what lies behind the first surface, too"},
+    {"morph", relief::Representation::Morph, "two views, and every view between them (Seitz 1996)"},
+};
+
+inline constexpr Choice<relief::Morphing> morphings[] = {
+    {"view", relief::Morphing::View, "prewarp, morph, postwarp: straight lines stay straight"},
+    {"plain", relief::Morphing::Plain, "places and colours faded evenly: straight lines bend"},
+};
+
+inline constexpr Choice<relief::Resampler> resamplers[] = {
+    {"interleaved", relief::Resampler::Interleaved, "each sample of a row goes on to its column at once"},
+    {"one-dimensional", relief::Resampler::OneDimensional,
+     "rows, then columns; displacement interpolated linearly"},
+    {"asymmetric", relief::Resampler::Asymmetric, "rows, then columns; each sample knows its row"},
+    {"compensated", relief::Resampler::Compensated,
+     "rows, then columns; displacement chosen so that its row is right"},
+    {"mesh", relief::Resampler::Mesh, "triangles between the texels with a z-buffer: the reference"},
+    {"splat", relief::Resampler::Splat, "each texel paints the one pixel it falls into"},
+};
+
+inline constexpr Choice<relief::Jump> jumps[] = {
+    {"skin", relief::Jump::Skin, "a skin is stretched over a jump of depth"},
+    {"cut", relief::Jump::Cut, "the surface ends at a jump of depth"},
+};
+
+inline constexpr Choice<relief::Projection> relief_sources[] = {
+    {"orthographic", relief::Projection::Orthographic, "parallel rays, displacements in world units"},
+    {"perspective", relief::Projection::Perspective, "rays from an eye, disparities"},
+};
+
+inline constexpr Choice<relief::DepthBits> depth_bits[] = {
+    {"float", relief::DepthBits::Float, "displacement as computed"},
+    {"16", relief::DepthBits::Sixteen, "65535 equal steps"},
+    {"8", relief::DepthBits::Eight, "255 equal steps, as in the thesis"},
+};
+
+inline constexpr Choice<relief::Lit> relief_lights[] = {
+    {"drawn", relief::Lit::Drawn, "lit for the viewer, by the texture's normals"},
+    {"captured", relief::Lit::Captured, "as the source saw it: gloss stands still"},
+};
+
+inline constexpr Choice<relief::Reading> readings[] = {
+    {"bilinear", relief::Reading::Bilinear, "between four texels, not across a jump of depth"},
+    {"nearest", relief::Reading::Nearest, "the texel that holds the place"},
+};
+
+inline constexpr Choice<relief::Search> searches[] = {
+    {"slices", relief::Search::Slices, "equal steps of depth, then bisections"},
+    {"texels", relief::Search::Texels, "every texel under the line of sight: exact"},
+    {"cones", relief::Search::Cones, "jumps through cones that hold nothing (Dummer 2006)"},
+    {"relaxed-cones", relief::Search::RelaxedCones, "wider cones, then bisections (Policarpo 2007)"},
+};
+
+inline constexpr Choice<relief::SolidEnd> solid_ends[] = {
+    {"back", relief::SolidEnd::Back, "a second texture of the object's back says where it ends"},
+    {"thickness", relief::SolidEnd::Thickness, "every texel is equally thick"},
+    {"none", relief::SolidEnd::None, "everything behind the surface is solid"},
+};
+
+inline constexpr Choice<relief::Composite> composites[] = {
+    {"depth", relief::Composite::Depth, "the nearest point of all faces"},
+    {"order", relief::Composite::FaceOrder, "face after face, the most frontal last: the thesis's"},
 };
 
 // What a kind of shape takes; the first is the default.

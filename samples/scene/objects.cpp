@@ -10,7 +10,10 @@
 #include "samples/io/picture.hpp"
 #include "samples/io/solid.hpp"
 #include "samples/io/suggest.hpp"
+#include "samples/scene/framing.hpp"
 #include "samples/scene/generators.hpp"
+#include "samples/scene/relief_objects.hpp"
+#include "samples/scene/shapes/cube.hpp"
 
 namespace relevo::scene {
 namespace {
@@ -21,11 +24,13 @@ using pipeline::World;
 using WorldFromObject = pipeline::Affine<World, pipeline::Object>;
 using Step = pipeline::Affine<World, World>;
 
-constexpr std::string_view object_keys[] = {"mesh", "name",   "transform", "material", "segments",
-                                            "tube", "repeat", "seed",      "height"};
+constexpr std::string_view object_keys[] = {"mesh",   "surface", "name",     "transform", "representation",
+                                            "relief", "step",    "material", "segments",  "tube",
+                                            "repeat", "seed",    "height"};
 constexpr std::string_view generator_keys[] = {"segments", "tube", "repeat", "seed", "height"};
 constexpr std::string_view step_keys[] = {"scale", "rotate", "translate"};
 constexpr std::string_view rotation_keys[] = {"axis", "degrees"};
+constexpr std::string_view lit_material_keys[] = {"ambient", "diffuse", "specular", "shininess"};
 constexpr std::string_view material_keys[] = {"ambient", "diffuse", "specular", "shininess",
                                               "color",   "texture", "two_sided"};
 
@@ -96,13 +101,13 @@ Material read_material(const Fields& fields, Material base) {
 }
 
 // A parameter that the shape does not have would be silently without effect.
-void refuse_foreign_parameters(const Fields& object, std::string_view mesh,
+void refuse_foreign_parameters(const Fields& object, std::string_view kind, std::string_view mesh,
                                std::span<const std::string_view> accepted) {
     for (const std::string_view key : generator_keys)
         if (object.has(key) && std::find(accepted.begin(), accepted.end(), key) == accepted.end())
             object.diagnosis().say(
                 object.place(key),
-                fmt::format("{} is no parameter of mesh = \"{}\", accepted: {}", object.full(key), mesh,
+                fmt::format("{} is no parameter of {} = \"{}\", accepted: {}", object.full(key), kind, mesh,
                             accepted.empty() ? "none" : joined(accepted)));
 }
 
@@ -112,7 +117,68 @@ void ObjectReader::read(const Value& table) {
     const Fields object(table, "object", object_keys, diagnosis_);
     const WorldFromObject world_from_object = read_transform(object);
     if (!diagnosis_.fine()) return;
-    for (const Part& part : find_parts(object)) add_model(part, object, world_from_object);
+    if (object.has("surface")) return read_surface(object, world_from_object);
+    if (object.has("step"))
+        diagnosis_.say(object.place("step"), "object.step is for surface = \"plane-step\" only");
+    ReliefObject relief = relief_object(object);
+    const bool as_it_is = relief.representation == relief::Representation::Geometry;
+    for (const Part& part : find_parts(object)) {
+        if (part.transparent && !as_it_is)
+            diagnosis_.say(
+                relief.place,
+                fmt::format("{} is of a transparent material, and pictures with depth know one "
+                            "surface a texel, accepted: representation = \"geometry\" (drawn opaque)",
+                            part.description.name));
+        add_model(part, object, world_from_object, as_it_is ? scene_.scene.models : relief.models->models);
+    }
+    if (as_it_is || !diagnosis_.fine()) return;
+    relief.material = relief.models->models.front().material;
+    if (relief.name.empty()) relief.name = object.text("mesh", "");
+    scene_.reliefs.push_back(std::move(relief));
+}
+
+ReliefObject ObjectReader::relief_object(const Fields& object) {
+    ReliefObject relief;
+    relief.name = object.text("name", "");
+    relief.place = object.place(object.has("representation") ? "representation" : "");
+    relief.representation = object.choice("representation", relief.representation, representations);
+    relief.settings = read_relief(object, relief.representation, diagnosis_);
+    relief.models = std::make_unique<raster::Scene>();
+    return relief;
+}
+
+void ObjectReader::read_surface(const Fields& object, const WorldFromObject& world_from_surface) {
+    if (object.has("mesh"))
+        diagnosis_.say(object.place("surface"), "an object has a mesh or a surface, not both");
+    refuse_foreign_parameters(object, "surface", object.text("surface", ""), {});
+    ReliefObject relief = relief_object(object);
+    const relief::AnalyticSurface surface = find_surface(object, diagnosis_);
+    if (!(std::fabs(glm::determinant(world_from_surface.m)) > 0))
+        object.refuse("transform", "steps that do not flatten a surface");
+    const Value none{object.place(""), Table{}};
+    const Value* given = object.find("material");
+    const Fields fields(given ? *given : none, object.full("material"), lit_material_keys, diagnosis_);
+    relief.material = read_material(fields, {});
+    if (!diagnosis_.fine()) return;
+    relief.surface = std::make_unique<relief::PlacedSurface>(relief::placed(surface, world_from_surface.m));
+    if (relief.name.empty()) relief.name = object.text("surface", "");
+    scene_.reliefs.push_back(std::move(relief));
+}
+
+std::vector<raster::Model> ObjectReader::all_models() {
+    std::vector<raster::Model> models = scene_.scene.models;
+    for (const ReliefObject& relief : scene_.reliefs) {
+        models.insert(models.end(), relief.models->models.begin(), relief.models->models.end());
+        if (!relief.surface) continue;
+        const relief::BoundingBall ball = bounding_ball(*relief.surface);
+        boxes_.push_back(std::make_unique<const pipeline::Mesh>(cube()));
+        raster::Model box;
+        box.mesh = boxes_.back().get();
+        box.world_from_object.m =
+            (pipeline::translate<World>(ball.centre) * pipeline::scale<World>(glm::dvec3(2 * ball.radius))).m;
+        models.push_back(box);
+    }
+    return models;
 }
 
 ObjectReader::Parts ObjectReader::find_parts(const Fields& object) {
@@ -120,7 +186,7 @@ ObjectReader::Parts ObjectReader::find_parts(const Fields& object) {
     if (!diagnosis_.fine()) return {};
     if (name.empty()) return object.refuse("mesh", "a file ending in .obj or .solid, or a shape"), Parts{};
     if (!is_file_name(name)) return generated_part(object, name);
-    refuse_foreign_parameters(object, name, {});
+    refuse_foreign_parameters(object, "mesh", name, {});
     return diagnosis_.fine() ? file_parts(object, name) : Parts{};
 }
 
@@ -133,7 +199,7 @@ ObjectReader::Parts ObjectReader::generated_part(const Fields& object, std::stri
                                   io::suggestion(name, names));
         return {};
     }
-    refuse_foreign_parameters(object, name, generator->parameters);
+    refuse_foreign_parameters(object, "mesh", name, generator->parameters);
     pipeline::Mesh mesh = generate(*generator, object);
     if (!diagnosis_.fine()) return {};
     return {{{std::string(name), "", true, true}, keep(std::move(mesh)), {}, ""}};
@@ -166,7 +232,8 @@ ObjectReader::Parts ObjectReader::obj_parts(const std::string& path) {
         parts.push_back({{name, "", part.had_uv, part.had_normals},
                          keep(std::move(part.mesh)),
                          material.material,
-                         material.texture_path});
+                         material.texture_path,
+                         material.transparent});
     }
     return parts;
 }
@@ -178,8 +245,8 @@ ObjectReader::Parts ObjectReader::solid_parts(const std::string& path) {
     return {{{stem(path), "", read->had_uv, read->had_normals}, keep(std::move(read->mesh)), {}, ""}};
 }
 
-void ObjectReader::add_model(const Part& part, const Fields& object,
-                             const WorldFromObject& world_from_object) {
+void ObjectReader::add_model(const Part& part, const Fields& object, const WorldFromObject& world_from_object,
+                             std::vector<raster::Model>& models) {
     const Value none{object.place(""), Table{}};
     const Value* given = object.find("material");
     const Fields fields(given ? *given : none, object.full("material"), material_keys, diagnosis_);
@@ -204,8 +271,8 @@ void ObjectReader::add_model(const Part& part, const Fields& object,
                                "where they are missing",
                                key)}
                                       .text());
-    scene_.scene.models.push_back(model);
-    scene_.descriptions.push_back(std::move(description));
+    models.push_back(model);
+    if (&models == &scene_.scene.models) scene_.descriptions.push_back(std::move(description));
 }
 
 const raster::Texture* ObjectReader::texture(const std::string& path, const io::Place& place,

@@ -15,6 +15,10 @@ class ObjectReader {
 
     void read(const Value& table);
 
+    // What the camera must see when nobody says where it stands: the models, and the ball round each relief
+    // object as the box that holds it. To be used while this reader lives.
+    std::vector<raster::Model> all_models();
+
   private:
     // A mesh as a file or a generator brings it, before the scene's own material.
     struct Part {
@@ -22,6 +26,7 @@ class ObjectReader {
         const pipeline::Mesh* mesh;
         pipeline::Material material;
         std::string texture_path;
+        bool transparent = false;  // says its file; the machine draws it opaque
     };
     using Parts = std::vector<Part>;
 
@@ -30,8 +35,11 @@ class ObjectReader {
     const Parts& file_parts(const Fields& object, const std::string& name);
     Parts obj_parts(const std::string& path);
     Parts solid_parts(const std::string& path);
-    void add_model(const Part& part, const Fields& object,
-                   const pipeline::Affine<pipeline::World, pipeline::Object>&);
+    using Map = pipeline::Affine<pipeline::World, pipeline::Object>;
+    void add_model(const Part& part, const Fields& object, const Map& world_from_object,
+                   std::vector<raster::Model>& models);
+    void read_surface(const Fields& object, const Map& world_from_surface);
+    ReliefObject relief_object(const Fields& object);
     const raster::Texture* texture(const std::string& path, const io::Place& place, const std::string& key);
     const pipeline::Mesh* keep(pipeline::Mesh mesh);
     std::string resolved(const std::string& path) const;
@@ -45,6 +53,7 @@ class ObjectReader {
     std::string asked_as_;  // and as what
     std::map<std::string, Parts> files_;
     std::map<std::string, const raster::Texture*> textures_;
+    std::vector<std::unique_ptr<const pipeline::Mesh>> boxes_;  // of all_models()
 };
 
 }  // namespace relevo::scene

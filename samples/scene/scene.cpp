@@ -10,6 +10,7 @@
 #include "samples/io/file.hpp"
 #include "samples/io/suggest.hpp"
 #include "samples/io/words.hpp"
+#include "samples/scene/animation.hpp"
 #include "samples/scene/camera.hpp"
 #include "samples/scene/objects.hpp"
 #include "samples/scene/shapes2d.hpp"
@@ -20,7 +21,7 @@ namespace {
 using pipeline::max_picture_size;
 using pipeline::Scalar;
 
-constexpr std::string_view tables[] = {"image", "camera", "light",   "object",
+constexpr std::string_view tables[] = {"image", "camera", "light",   "object",  "animation",
                                        "axes",  "clip",   "shape2d", "pipeline"};
 constexpr std::string_view image_keys[] = {"width", "height", "background", "output"};
 constexpr std::string_view light_keys[] = {"type", "position", "direction", "color"};
@@ -30,7 +31,7 @@ constexpr std::string_view pipeline_keys[] = {"shading", "texture_filter", "dept
 // The tables of the document: empty where the file has none.
 struct Tables {
     Value image, camera, pipeline;
-    std::optional<Value> axes, clip;
+    std::optional<Value> animation, axes, clip;
     std::vector<Value> lights, objects, shapes;
     bool lesson() const { return !shapes.empty(); }
 };
@@ -44,7 +45,8 @@ std::vector<Value> list_of_tables(const Entry& entry, Diagnosis& diagnosis) {
 
 // A scene is made of objects or of shapes; the tables of the other kind have no place in it.
 void refuse_foreign_tables(const Table& document, const Tables& found, Diagnosis& diagnosis) {
-    constexpr std::string_view of_objects[] = {"camera", "light"}, of_shapes[] = {"axes", "clip"};
+    constexpr std::string_view of_objects[] = {"camera", "light", "animation"},
+                               of_shapes[] = {"axes", "clip"};
     const auto holds = [](std::span<const std::string_view> keys, std::string_view key) {
         return std::find(keys.begin(), keys.end(), key) != keys.end();
     };
@@ -63,7 +65,7 @@ void refuse_foreign_tables(const Table& document, const Tables& found, Diagnosis
 
 Tables split(const Value& document, const std::string& path, Diagnosis& diagnosis) {
     const Value empty{{path, 1, 1}, Table{}};
-    Tables out{empty, empty, empty, {}, {}, {}, {}, {}};
+    Tables out{empty, empty, empty, {}, {}, {}, {}, {}, {}};
     for (const Entry& entry : std::get<Table>(document.data)) {
         if (entry.key == "image")
             out.image = entry.value;
@@ -71,6 +73,8 @@ Tables split(const Value& document, const std::string& path, Diagnosis& diagnosi
             out.camera = entry.value;
         else if (entry.key == "pipeline")
             out.pipeline = entry.value;
+        else if (entry.key == "animation")
+            out.animation = entry.value;
         else if (entry.key == "axes")
             out.axes = entry.value;
         else if (entry.key == "clip")
@@ -84,7 +88,7 @@ Tables split(const Value& document, const std::string& path, Diagnosis& diagnosi
         else
             diagnosis.say(entry.place,
                           fmt::format("unknown table or key {}, accepted: [image], [camera], [[light]], "
-                                      "[[object]], [axes], [clip], [[shape2d]], [pipeline]{}",
+                                      "[[object]], [animation], [axes], [clip], [[shape2d]], [pipeline]{}",
                                       entry.key, io::suggestion(entry.key, tables)));
     }
     if (out.objects.empty() && out.shapes.empty())
@@ -176,6 +180,18 @@ pipeline::Light read_light(const Value& table, const SceneCamera& camera, Diagno
     return light;
 }
 
+// Only a relief texture on its plane is defined for a viewer at infinity.
+void refuse_parallel_views(const LoadedScene& scene, Diagnosis& diagnosis) {
+    if (!scene.scene.camera.parallel) return;
+    for (const ReliefObject& object : scene.reliefs)
+        if (object.representation != relief::Representation::Relief)
+            diagnosis.say(object.place,
+                          fmt::format("{} by \"{}\" needs a viewer with an eye, accepted with "
+                                      "projection = \"orthographic\": representation = \"relief\", and "
+                                      "\"geometry\" of a mesh",
+                                      object.name, name_of(object.representation, representations)));
+}
+
 // What lessons and scenes of objects have in common.
 void read_picture(const Tables& found, const SceneOptions& options, LoadedScene& out, Diagnosis& diagnosis) {
     if (found.lesson())
@@ -193,13 +209,16 @@ void read_objects(const Tables& found, const std::string& path, LoadedScene& out
     for (const Value& object : found.objects)
         if (diagnosis.fine()) objects.read(object);
     if (!diagnosis.fine()) return;
-    const SceneCamera camera = read_camera(found.camera, double(out.width) / out.height, out.settings.depth,
-                                           out.scene.models, diagnosis);
+    SceneCamera camera = read_camera(found.camera, double(out.width) / out.height, out.settings.depth,
+                                     objects.all_models(), diagnosis);
+    if (found.animation) out.animation = read_animation(*found.animation, camera, diagnosis);
     out.scene.camera = camera.camera;
     out.camera = camera.description;
+    refuse_parallel_views(out, diagnosis);
     for (const Value& light : found.lights) out.scene.lights.push_back(read_light(light, camera, diagnosis));
     if (found.lights.empty())
         out.scene.lights.push_back(read_light(Value{{path, 1, 1}, Table{}}, camera, diagnosis));
+    for (const ReliefObject& object : out.reliefs) object.models->lights = out.scene.lights;
 }
 
 // All tables in turn; the first thing that is wrong stays in `diagnosis`.
@@ -254,6 +273,10 @@ io::FileResult<std::pair<int, int>> parse_size(std::string_view text) {
     const auto good = [](int n) { return 1 <= n && n <= max_picture_size; };
     if (!good(width) || !good(height)) return error;
     return std::pair<int, int>{width, height};
+}
+
+relief::ShapeCapture shape_capture(const LoadedScene& scene, const ReliefObject& object) {
+    return {object.shape(), scene.settings, object.material, false};
 }
 
 raster::Frame make_frame(const LoadedScene& scene) {

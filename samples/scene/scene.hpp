@@ -12,6 +12,7 @@
 
 #include "raster/scene.hpp"
 #include "raster/shape.hpp"
+#include "relief/representation.hpp"
 #include "samples/io/place.hpp"
 
 namespace relevo::scene {
@@ -46,6 +47,27 @@ struct LessonAxes {
     double pixel_y(double y) const { return y_up ? top - y : y - top; }
 };
 
+// An [[object]] that is shown by pictures of itself, or an analytic surface.
+struct ReliefObject {
+    std::string name;
+    io::Place place;  // of its representation: for messages
+    relief::Representation representation = relief::Representation::Geometry;
+    relief::RepresentationSettings settings;
+    std::unique_ptr<raster::Scene> models;           // its meshes, with the scene's lights
+    std::unique_ptr<relief::PlacedSurface> surface;  // in place of meshes
+    pipeline::Material material;                     // by which its pictures are lit
+    relief::RepresentedShape shape() const { return {models.get(), surface.get()}; }
+};
+
+// A row of pictures from eyes that differ. World units, degrees.
+struct Animation {
+    enum class Kind { Orbit, Path } kind = Kind::Orbit;
+    int frames = 36;
+    glm::dvec3 target{0, 0, 0};
+    double radius = 3, elevation = 0, from = 0, to = 360;  // of an orbit: azimuths; 0 is +z, 90 is +x
+    std::vector<glm::dvec3> eyes;                          // of a path: passed through in equal times
+};
+
 // Owns the meshes and textures that `scene.models` points to; may be moved, not copied.
 struct LoadedScene {
     std::string name;  // of the file, without folder and ending
@@ -58,6 +80,8 @@ struct LoadedScene {
     LessonAxes axes;
     CameraDescription camera;
     std::vector<ModelDescription> descriptions;  // one a model
+    std::vector<ReliefObject> reliefs;           // drawn after the models
+    std::optional<Animation> animation;          // the camera above is that of its first frame
     std::vector<std::string> warnings;           // whole lines, with their place: worth showing, not wrong
     std::vector<std::unique_ptr<const pipeline::Mesh>> meshes;
     std::vector<std::unique_ptr<const raster::Texture>> textures;
@@ -85,5 +109,8 @@ io::FileResult<std::pair<int, int>> parse_size(std::string_view text);
 
 // Colour and depth pictures of the scene's size.
 raster::Frame make_frame(const LoadedScene& scene);
+
+// How a relief object is captured: unlit, by the scene's texture filter and culling.
+relief::ShapeCapture shape_capture(const LoadedScene& scene, const ReliefObject& object);
 
 }  // namespace relevo::scene

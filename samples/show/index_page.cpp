@@ -75,17 +75,24 @@ std::string section(std::span<const StageRecord> records, std::size_t i) {
 
 std::string index_page(const scene::LoadedScene& loaded, std::span<const StageRecord> records) {
     std::int64_t triangles = 0;
-    for (const raster::Model& m : loaded.scene.models)
-        triangles += static_cast<std::int64_t>(m.mesh->triangles());
+    const auto count = [&](const std::vector<raster::Model>& models) {
+        for (const raster::Model& m : models) triangles += static_cast<std::int64_t>(m.mesh->triangles());
+    };
+    count(loaded.scene.models);
+    for (const scene::ReliefObject& object : loaded.reliefs) count(object.models->models);
+    const std::string reliefs =
+        loaded.reliefs.empty()
+            ? ""
+            : ", " + counted(std::int64_t(loaded.reliefs.size()), "object") + " by pictures";
     const std::string title = escaped(loaded.name) + ": the pipeline step by step";
     std::string page =
         html_head(title, style) +
         fmt::format(
-            "<header>\n<h1>{0}</h1>\n<p class=\"soft\">{1}, {2}, {3} × {4} pixels. "
+            "<header>\n<h1>{0}</h1>\n<p class=\"soft\">{1}, {2}{5}, {3} × {4} pixels. "
             "The same numbers for programs: <a href=\"steps.json\">steps.json</a>; how long it took: <a "
             "href=\"timing.json\">timing.json</a>.</p>\n</header>\n<nav aria-label=\"Stages\"><ol>\n",
             title, counted(std::int64_t(loaded.scene.models.size()), "model"), counted(triangles, "triangle"),
-            loaded.width, loaded.height);
+            loaded.width, loaded.height, reliefs);
     for (const StageRecord& r : records) page += thumbnail(r);
     page += "</ol></nav>\n<main>\n";
     for (std::size_t i = 0; i < records.size(); ++i) page += section(records, i);

@@ -11,7 +11,7 @@ namespace relevo::show {
 
 // A step picture that has been drawn, as steps.json and the page list it.
 struct StageRecord {
-    int number;  // 1..17
+    int number;  // 1..
     std::string name, file, caption;
     std::vector<Count> counts;
     int width, height;  // of the file's picture

@@ -4,7 +4,9 @@
 #include <map>
 
 #include "samples/show/numbers.hpp"
+#include "samples/show/panes.hpp"
 #include "samples/show/stage.hpp"
+#include "samples/show/tones.hpp"
 
 namespace relevo::show {
 namespace {
@@ -25,17 +27,6 @@ StagePage picture_page(const Heading& heading, const std::vector<PanelBlock>& pa
     return {std::move(page.picture), {}, rect, factor};
 }
 
-std::string share(std::int64_t part, std::int64_t whole) {
-    return fmt::format("{} ({:.1f} %)", grouped(part),
-                       whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole));
-}
-
-// Stripes that no surface shows: a pixel without a triangle. Finer where pixels are drawn large.
-Rgba8 empty_pixel(int x, int y, int width) {
-    const int stripe = width < 200 ? 1 : 4;
-    return (x + y) / stripe % 2 == 0 ? night : Rgba8{38, 46, 60};
-}
-
 // Each pixel's colour by `paint(SeenPixel, x, y)`, stripes where there is nothing.
 template <class Paint>
 Picture painted(const Capture& capture, Paint&& paint) {
@@ -46,27 +37,6 @@ Picture painted(const Capture& capture, Paint&& paint) {
             out.at(x, y) =
                 seen.at(x, y).empty() ? empty_pixel(x, y, seen.width()) : paint(seen.at(x, y), x, y);
     return out;
-}
-
-struct Range {
-    double low = 0, high = 0;
-    bool empty = true;
-    void add(double v) {
-        if (!std::isfinite(v)) return;
-        low = empty ? v : std::min(low, v), high = empty ? v : std::max(high, v);
-        empty = false;
-    }
-    // 0 at `low`, 1 at `high`; 1 when there is no span.
-    double share_of(double v) const { return high > low ? (v - low) / (high - low) : 1; }
-    std::string text() const { return empty ? "none" : range(low, high); }
-};
-
-std::uint8_t level(double share_of_255) {
-    return static_cast<std::uint8_t>(std::clamp(share_of_255, 0.0, 1.0) * 255 + 0.5);
-}
-Rgba8 grey(double share_of_range) {
-    const std::uint8_t g = level(0.14 + 0.86 * share_of_range);
-    return {g, g, g};
 }
 
 std::int64_t visible_pixels(const Capture& capture) {
@@ -164,61 +134,13 @@ StagePage draw_depth(const Capture& capture, const Heading& heading) {
 // ---- several pictures of the pixels on one page ----
 namespace {
 
-Picture reduced(const Picture& picture, int divisor) {
-    Picture out((picture.width() + divisor - 1) / divisor, (picture.height() + divisor - 1) / divisor);
-    for (int y = 0; y < out.height(); ++y)
-        for (int x = 0; x < out.width(); ++x) out.at(x, y) = picture.at(x * divisor, y * divisor);
-    return out;
-}
-
-constexpr int pane_title = 30, pane_gap = 16;
-
-// How large each picture is drawn when they stand in rows and columns: `factor` pixels for one, or only every
-// `divisor`-th one where they are too large for that.
-struct Panes {
-    int columns, rows, divisor, factor, width, height;
-    int cell_width() const { return std::max(width, 16 * 2 * letter_cell); }
-    int area_width() const { return columns * (cell_width() + pane_gap) - pane_gap; }
-    int area_height() const { return rows * (height + pane_title + pane_gap) - pane_gap; }
-};
+// Two pictures of the whole frame, above each other unless they are larger beside each other.
 Panes panes_of(const Capture& capture, int columns, int rows) {
-    const int w = columns * capture.loaded->width, h = rows * capture.loaded->height;
-    const int high = columns == 1 ? 1000 : 1300;
-    const int divisor = std::max({1, (w + 1299) / 1300, (h + high - 1) / high});
-    const int factor = divisor > 1 ? 1
-                                   : std::max(1, std::min((diagram_width + pane_gap - columns * pane_gap) / w,
-                                                          (720 - rows * pane_title) / h));
-    const auto drawn = [&](int pixels) { return (pixels + divisor - 1) / divisor * factor; };
-    return {columns, rows, divisor, factor, drawn(capture.loaded->width), drawn(capture.loaded->height)};
+    return show::panes_of(capture.loaded->width, capture.loaded->height, columns, rows);
 }
-// Two pictures, above each other unless they are larger beside each other.
 Panes two_panes_of(const Capture& capture) {
     const Panes above = panes_of(capture, 1, 2), beside = panes_of(capture, 2, 1);
     return beside.width > above.width ? beside : above;
-}
-// A sentence for the panel when not all pixels are shown.
-void say_what_is_shown(const Panes& panes, PanelBlock& block) {
-    const char* const ending = panes.divisor == 2 ? "nd" : panes.divisor == 3 ? "rd" : "th";
-    if (panes.divisor > 1)
-        block.rows.push_back(quiet(fmt::format("Every {}{} pixel is shown.", panes.divisor, ending)));
-}
-Page lay_out(const Heading& heading, const std::vector<PanelBlock>& panel, const Panes& panes) {
-    return lay_out(heading, panel, panes.area_width(), panes.area_height());
-}
-// The picture under its title; where it stands.
-Rect paste_pane(Page& page, const Panes& panes, int number, const std::string& title,
-                const Picture& picture) {
-    const Canvas canvas = canvas_of(page.picture);
-    const int left = page.area.x + (page.area.width - panes.area_width()) / 2;
-    const int x = left + number % panes.columns * (panes.cell_width() + pane_gap),
-              y = page.area.y + number / panes.columns * (panes.height + pane_title + pane_gap);
-    text(canvas, x, y + 4, title, navy);
-    const Rect rect{x, y + pane_title, panes.width, panes.height};
-    paste(canvas, panes.divisor > 1 ? reduced(picture, panes.divisor) : picture, rect.x, rect.y,
-          panes.factor);
-    if (panes.factor >= 8) pixel_grid(canvas, rect, panes.factor, with_opacity(haze, 110));
-    frame(canvas, {rect.x - 1, rect.y - 1, rect.width + 2, rect.height + 2}, muted);
-    return rect;
 }
 
 }  // namespace

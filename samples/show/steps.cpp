@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <functional>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "samples/io/suggest.hpp"
 #include "samples/show/index_page.hpp"
 #include "samples/show/lesson_files.hpp"
 #include "samples/show/lessons.hpp"
+#include "samples/show/relief_stages.hpp"
 #include "samples/show/stages.hpp"
 #include "samples/show/stopwatch.hpp"
 #include "samples/show/strip.hpp"
@@ -26,17 +29,52 @@ struct StageTime {
 
 // ---- the options ----
 
-io::FileResult<std::vector<std::size_t>> chosen_stages(const std::vector<std::string>& names) {
-    std::vector<std::size_t> chosen;
+// A stage of this scene.
+struct Step {
+    int number;
+    std::string_view name, sentence;
+    std::function<StagePage(const Heading&)> draw;
+    std::string file() const { return fmt::format("{:02}-{}.png", number, name); }
+};
+
+// The stages of the machine, for models; those of a relief, for objects that are shown by pictures. What is
+// captured for them is captured when the first of them is drawn.
+std::vector<Step> steps_of(const scene::LoadedScene& loaded) {
+    std::vector<Step> steps;
+    const auto add = [&](const auto& stage, auto&& draw) {
+        steps.push_back({static_cast<int>(steps.size()) + 1, stage.name, stage.sentence, draw});
+    };
+    if (!loaded.scene.models.empty()) {
+        const auto seen = std::make_shared<std::optional<Capture>>();
+        for (const StageInfo& stage : stages()) {
+            if (stage.name == "final" && !loaded.reliefs.empty()) continue;  // the relief's shows all
+            add(stage, [&loaded, seen, draw = stage.draw](const Heading& heading) {
+                if (!*seen) *seen = capture(loaded);
+                return draw(**seen, heading);
+            });
+        }
+    }
+    if (!loaded.reliefs.empty()) {
+        const auto view = std::make_shared<std::optional<ReliefView>>();
+        for (const ReliefStageInfo& stage : relief_stages())
+            add(stage, [&loaded, view, &stage](const Heading& heading) {
+                if (!*view) *view = relief_view(loaded);
+                return draw_stage(**view, stage, heading);
+            });
+    }
+    return steps;
+}
+
+io::FileResult<std::vector<Step>> chosen_steps(std::vector<Step> all, const std::vector<std::string>& names) {
     std::vector<std::string_view> known;
-    for (const StageInfo& stage : stages()) known.push_back(stage.name);
+    for (const Step& step : all) known.push_back(step.name);
     for (const std::string& name : names)
         if (std::find(known.begin(), known.end(), name) == known.end())
             return unknown_name("stage", name, known);
-    for (std::size_t i = 0; i < stages().size(); ++i)
-        if (names.empty() || std::find(names.begin(), names.end(), stages()[i].name) != names.end())
-            chosen.push_back(i);
-    return chosen;
+    std::erase_if(all, [&](const Step& step) {
+        return !names.empty() && std::find(names.begin(), names.end(), step.name) == names.end();
+    });
+    return all;
 }
 
 // ---- the lists ----
@@ -55,42 +93,39 @@ std::string steps_json(const scene::LoadedScene& loaded, const std::vector<Stage
     return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string timing_json(double capture_ms, const std::vector<StageTime>& times) {
-    double total = capture_ms;
+std::string timing_json(const std::vector<StageTime>& times) {
+    double total = 0;
     Json list = Json::array();
     for (const StageTime& t : times) {
         list.push_back(
             {{"stage", t.stage}, {"draw_ms", rounded_ms(t.draw_ms)}, {"write_ms", rounded_ms(t.write_ms)}});
         total += t.draw_ms + t.write_ms;
     }
-    const Json all{{"capture_ms", rounded_ms(capture_ms)}, {"stages", list}, {"total_ms", rounded_ms(total)}};
+    const Json all{{"stages", list}, {"total_ms", rounded_ms(total)}};
     return all.dump(2) + "\n";
 }
 
-io::Failure write_stages(const scene::LoadedScene& loaded, const std::vector<std::size_t>& chosen,
+io::Failure write_stages(const scene::LoadedScene& loaded, const std::vector<Step>& chosen, std::size_t of,
                          Workplace& place) {
     Stopwatch watch;
-    const Capture seen = capture(loaded);
-    const double capture_ms = watch.lap();
     std::vector<StageRecord> records;
     std::vector<StageTime> times;
     std::vector<Picture> thumbnails;
-    for (const std::size_t index : chosen) {
-        const StageInfo& stage = stages()[index];
-        StagePage page = draw_stage(seen, index);
-        const std::string file = stage_file(index);
-        times.push_back({std::string(stage.name), watch.lap(), 0});
-        if (auto failure = place.write(file, page.picture)) return failure;
+    for (const Step& step : chosen) {
+        StagePage page =
+            step.draw({step.number, static_cast<int>(of), std::string(step.name), std::string(step.sentence),
+                       fmt::format("{} · {}×{}", loaded.name, loaded.width, loaded.height)});
+        times.push_back({std::string(step.name), watch.lap(), 0});
+        if (auto failure = place.write(step.file(), page.picture)) return failure;
         thumbnails.push_back(thumbnail(page.picture));
         times.back().write_ms = watch.lap();
-        records.push_back({static_cast<int>(index) + 1, std::string(stage.name), file,
-                           std::string(stage.sentence), std::move(page.counts), page.picture.width(),
-                           page.picture.height()});
+        records.push_back({step.number, std::string(step.name), step.file(), std::string(step.sentence),
+                           std::move(page.counts), page.picture.width(), page.picture.height()});
     }
     if (auto failure = place.write("strip.png", strip(thumbnails))) return failure;
     const std::array<std::pair<std::string, std::string>, 3> lists{
         {{"steps.json", steps_json(loaded, records)},
-         {"timing.json", timing_json(capture_ms, times)},
+         {"timing.json", timing_json(times)},
          {"index.html", index_page(loaded, records)}}};
     for (const auto& [file, bytes] : lists)
         if (auto failure = place.write(file, bytes)) return failure;
@@ -117,11 +152,12 @@ io::Failure too_large_for_steps(const scene::LoadedScene& loaded) {
 
 io::Failure write_steps(const scene::LoadedScene& loaded, const StepsOptions& options) {
     if (is_lesson(loaded)) return write_lessons(loaded, lessons(loaded), options);
-    const auto chosen = chosen_stages(options.stages);
+    const std::vector<Step> all = steps_of(loaded);
+    const auto chosen = chosen_steps(all, options.stages);
     if (!chosen) return chosen.error();
     if (const auto failure = too_large_for_steps(loaded)) return failure;
     return fill_folder(options.directory,
-                       [&](Workplace& place) { return write_stages(loaded, *chosen, place); });
+                       [&](Workplace& place) { return write_stages(loaded, *chosen, all.size(), place); });
 }
 
 }  // namespace relevo::show

@@ -40,6 +40,16 @@ Measured measure_tan() {
     return over_angles(pipeline::tan, [](double t, const Exact& a) { return relative(t, tan(a)) / 0x1p-52; });
 }
 
+Measured measure_direction() {
+    Random random(9);
+    Measured worst;
+    for (int i = 0; i < 6000; ++i) {
+        const double x = random.between(-1, 1), y = random.between(-1, 1);
+        worst.see(distance(pipeline::angle_of(x, y).value, atan2(Exact(y), Exact(x)) / radians(1)) / 0x1p-44,
+                  [&] { return text("(%.17g, %.17g)", x, y); });
+    }
+    return worst;
+}
 Measured measure_log2() {
     Random random(2);
     Measured worst;
@@ -120,6 +130,7 @@ constexpr Measurement measurements[] = {
     {"sin", measure_sin},
     {"cos", measure_cos},
     {"tan", measure_tan},
+    {"direction", measure_direction},
     {"log2", measure_log2},
     {"exp2", measure_exp2},
     {"power, exponent 32", measure_power_32},

@@ -82,6 +82,9 @@ void elementary(const Inputs& in) {
     count("sin", [&](int i) { return pipeline::sin(Degrees{in.angle[std::size_t(i)]}); });
     count("cos", [&](int i) { return pipeline::cos(Degrees{in.angle[std::size_t(i)]}); });
     count("tan", [&](int i) { return pipeline::tan(Degrees{in.angle[std::size_t(i)]}); });
+    count("direction", [&](int i) {
+        return pipeline::angle_of(in.angle[std::size_t(i)], in.exponent[std::size_t(i)]).value;
+    });
     count("log2", [&](int i) { return pipeline::log2(in.positive[std::size_t(i)]); });
     count("exp2", [&](int i) { return pipeline::exp2(in.exponent[std::size_t(i)]); });
     const auto power = [&](const char* row, Scalar n) {

@@ -84,6 +84,29 @@ TEST(Elementary, QuarterTurnsAreExact) {
     }
 }
 
+TEST(Elementary, TheAngleOfADirectionIsWithinItsError) {
+    hard::Random r(8);
+    double worst = 0;
+    for (int i = 0; i < hard::cases(20'000); ++i) {
+        const double size = exp2(r.between(-300, 300)), flat = i % 2 ? 1 : exp2(-r.between(0, 60));
+        const double x = size * r.between(-1, 1), y = size * flat * r.between(-1, 1);
+        worst = std::max(
+            worst, far_from(angle_of(x, y).value, mp::atan2(Number(y), Number(x)) / radians_of_a_degree));
+        EXPECT_EQ(angle_of(x, -y).value, -angle_of(x, y).value);
+    }
+    std::printf("direction: %.3f x 2^-44 degrees\n", worst * 0x1p44);
+    EXPECT_LE(worst, 0x1p-44);
+    for (const double size : {1e-300, 1.0, 1e300}) {
+        EXPECT_EQ(angle_of(size, 0).value, 0);
+        EXPECT_EQ(angle_of(0, size).value, 90);
+        EXPECT_EQ(angle_of(-size, 0).value, 180);
+        EXPECT_EQ(angle_of(0, -size).value, -90);
+        EXPECT_NEAR(angle_of(-size, -size).value, -135, 1e-13);
+    }
+    EXPECT_EQ(angle_of(0, 0).value, 0);
+    EXPECT_TRUE(std::isnan(angle_of(inf, 1).value) && std::isnan(angle_of(1, nan_of).value));
+}
+
 TEST(Elementary, LogarithmIsWithinItsError) {
     hard::Random r(3);
     double worst = 0;

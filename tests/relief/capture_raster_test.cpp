@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pipeline/transform.hpp"
+#include "relief/layered_depth_image.hpp"
 #include "relief/surface_mesh.hpp"
 #include "samples/scene/shapes/torus.hpp"
 
@@ -180,6 +181,54 @@ TEST(CaptureRaster, RefusesABadCamera) {
     camera.width = 0;
     EXPECT_FALSE(capture_raster(scene_of(torus), camera));
     EXPECT_FALSE((RayCapture{MeshSurface{torus}})(camera));
+}
+
+// ---------------------------------------------------------------------------------------------- layers
+
+TEST(CaptureRasterLayers, AreWhatPeelingByRaysFinds) {
+    const pipeline::Mesh mesh = *scene::torus(40, 20, 0.4);
+    const raster::Scene scene = scene_of(mesh);
+    const MeshSurface surface{mesh, scene.models[0].material.color};
+    const glm::dvec3 toward(-1, -0.1, -0.15);  // through the ring: up to four surfaces
+    for (const ReliefCamera& camera :
+         {*orthographic_camera({toward, {0, 1, 0}, 48, 48}, -1.6 * toward, 3),
+          *perspective_camera({toward, {0, 1, 0}, 48, 48}, -4.0 * toward, 1.5, {42})}) {
+        const auto raster = *capture_raster_layers(scene, camera, 4);
+        const auto ray = ray_cast_layers(surface, camera, 4);
+        ASSERT_EQ(raster.size(), 4u);
+        int compared[4] = {}, edge = 0;
+        for (std::size_t k = 0; k < 4; ++k) {
+            EXPECT_FALSE(refusal(raster[k]));
+            for (int y = 0; y < 48; ++y)
+                for (int x = 0; x < 48; ++x) {
+                    const bool there = raster[k].coverage.at(x, y) != 0;
+                    if (there != (ray[k].coverage.at(x, y) != 0)) {
+                        ++edge;
+                        continue;
+                    }
+                    if (!there) continue;
+                    edge +=
+                        std::fabs(double{raster[k].depth.at(x, y)} - double{ray[k].depth.at(x, y)}) > 1e-4;
+                    ++compared[k];
+                    EXPECT_EQ(raster[k].color.at(x, y), scene.models[0].material.color);
+                }
+        }
+        for (const int count : compared) EXPECT_GT(count, 30);
+        EXPECT_LT(edge, 40);  // of more than 2,000: where the border of a triangle passes a texel's centre
+    }
+}
+
+TEST(CaptureRasterLayers, TheFirstIsTheCapture) {
+    const pipeline::Mesh mesh = *scene::torus(40, 20, 0.4);
+    const raster::Scene scene = scene_of(mesh);
+    const ReliefCamera camera = slanted_camera(64);
+    const ReliefTexture one = *capture_raster(scene, camera);
+    const ReliefTexture first = capture_raster_layers(scene, camera, 2)->front();
+    EXPECT_EQ(one.coverage.pixels(), first.coverage.pixels());
+    for (std::size_t i = 0; i < one.depth.pixels().size(); ++i) {
+        EXPECT_NEAR(one.depth.pixels()[i], first.depth.pixels()[i], 1e-5);
+        EXPECT_EQ(one.color.pixels()[i], first.color.pixels()[i]);
+    }
 }
 
 }  // namespace

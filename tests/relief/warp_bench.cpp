@@ -26,9 +26,9 @@ double wall_seconds() {
 
 template <class Clock>
 double seconds_of(Clock clock, const tests::WarpWork& work, const relief::PrewarpSettings& settings,
-                  relief::Prewarped& result) {
+                  relief::Prewarped& result, relief::PrewarpMemory& memory) {
     const double start = clock();
-    prewarp(work.source, work.warp, work.window, settings, result);
+    prewarp(work.source, work.warp, work.window, settings, result, memory);
     return clock() - start;
 }
 
@@ -41,11 +41,12 @@ void compare_resamplers(int rounds) {
         double best[count];
         std::fill_n(best, count, std::numeric_limits<double>::infinity());
         relief::Prewarped result;
+        relief::PrewarpMemory memory;
         for (int round = 0; round < rounds; ++round)
             for (std::size_t i = 0; i < count; ++i) {
                 relief::PrewarpSettings settings;
                 settings.resampler = tests::warp_resamplers[i].resampler;
-                best[i] = std::min(best[i], seconds_of(thread_seconds, work, settings, result));
+                best[i] = std::min(best[i], seconds_of(thread_seconds, work, settings, result, memory));
             }
         std::printf("%-20s %8d", work.name.c_str(), work.texels);
         for (const double seconds : best) std::printf("   %6.0f (x %.2f)", 1 / seconds, seconds / best[0]);
@@ -57,12 +58,13 @@ void compare_threads(int rounds) {
     for (const tests::WarpWork& work : tests::warp_works(1024)) {
         double best[2] = {1e9, 1e9};
         relief::Prewarped result;
+        relief::PrewarpMemory memory;
         for (int round = 0; round < rounds; ++round)
             for (const int threads : {1, 2}) {
                 relief::PrewarpSettings settings;
                 settings.resampler = relief::Resampler::Asymmetric, settings.threads = threads;
                 best[threads - 1] =
-                    std::min(best[threads - 1], seconds_of(wall_seconds, work, settings, result));
+                    std::min(best[threads - 1], seconds_of(wall_seconds, work, settings, result, memory));
             }
         std::printf("1024 x 1024, %-20s two threads %.2f times as fast as one (%.1f ms)\n", work.name.c_str(),
                     best[0] / best[1], 1e3 * best[1]);

@@ -19,9 +19,10 @@ int main(int argc, char** argv) {
             continue;
         }
         relief::Prewarped result;
-        prewarp(work.source, work.warp, work.window, {}, result);
+        relief::PrewarpMemory memory;
+        prewarp(work.source, work.warp, work.window, {}, result, memory);
         CALLGRIND_ZERO_STATS;  // the second time: all memory is there
-        prewarp(work.source, work.warp, work.window, {}, result);
+        prewarp(work.source, work.warp, work.window, {}, result, memory);
         CALLGRIND_DUMP_STATS_AT(dump.c_str());
     }
     return 0;

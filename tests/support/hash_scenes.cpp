@@ -1,9 +1,12 @@
 // Draws scenes and writes what must be the same bytes wherever it runs: colour, then depth, one file a
 // picture.
 //   hash_scenes FOLDER WIDTHxHEIGHT SCENE...       FOLDER/NAME-SHADING for each scene in every shading;
-//                                                  FOLDER/NAME for each lesson, linear light, in its own size
+//                                                  FOLDER/NAME for each lesson, linear light, in its own
+//                                                  size, and for each scene of reliefs, the frames one after
+//                                                  another
 // The fast path draws each picture, too, with every instruction set: other bytes are an error.
 // scripts/determinism builds it in many ways and compares the sums of what it wrote.
+#include <algorithm>
 #include <cstdio>
 #include <string_view>
 #include <utility>
@@ -13,6 +16,7 @@
 #include "raster/fast/draw_fast.hpp"
 #include "raster/fast/workers.hpp"
 #include "samples/io/file.hpp"
+#include "samples/scene/draw_scene.hpp"
 #include "samples/scene/scene.hpp"
 
 namespace {
@@ -41,11 +45,30 @@ std::string bytes(const raster::Frame& frame) {
     return std::string(bytes(frame.color)).append(bytes(frame.depth));
 }
 
+// At most this many frames of an animation.
+constexpr int most_frames = 4;
+
+io::Failure write_reliefs(const scene::LoadedScene& loaded, const std::string& folder) {
+    const auto pictures = scene::take_pictures(loaded);
+    if (!pictures) return pictures.error();
+    raster::Frame frame = scene::make_frame(loaded);
+    raster::fast::Workspace workspace;
+    std::string all;
+    const int frames = loaded.animation ? std::min(loaded.animation->frames, most_frames) : 1;
+    for (int number = 0; number < frames; ++number) {
+        const auto drawn = scene::draw_scene(loaded, *pictures, number, frame, workspace);
+        if (!drawn) return drawn.error();
+        all += bytes(frame);
+    }
+    return io::write_file(folder + "/relief-" + loaded.name, all);
+}
+
 io::Failure write_pictures(const std::string& path, std::pair<int, int> size, const std::string& folder) {
     const auto as_it_is = scene::load_scene(path);
     if (as_it_is && is_lesson(*as_it_is)) return write_lesson(*as_it_is, folder);
     auto loaded = scene::load_scene(path, {{}, size});
     if (!loaded) return loaded.error();
+    if (!loaded->reliefs.empty()) return write_reliefs(*loaded, folder);
     raster::Frame frame = scene::make_frame(*loaded);
     raster::fast::Workspace workspace;
     raster::fast::Workers workers(2);

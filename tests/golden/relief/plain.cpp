@@ -48,6 +48,8 @@ struct Plain {
     const PrewarpSettings& settings;
     const ReliefRules& rules;
     Epipole e = epipole(warp, settings.painting);
+    // how the surface goes on where it ends is known before any warp, and is no matter of this form
+    PreparedRelief prepared = prepare(texture, settings.jump, settings.jump_depth);
 
     int width() const { return texture.camera.width; }
     int height() const { return texture.camera.height; }
@@ -85,13 +87,6 @@ struct Plain {
         s.v = p.v, s.weight = p.weight;
         return s;
     }
-    // How the depth goes on beyond a texel in the direction (i, j), where it has no neighbour there.
-    double depth_beyond(int x, int y, int i, int j) const {
-        const double here = depth(x, y);
-        if (!joined(x - i, y - j, x, y) || jump(depth(x - i, y - j), here)) return here;
-        return std::max(here + (here - depth(x - i, y - j)), 0.0);
-    }
-
     Sample mix(const Sample& a, const Sample& b, double t) const {
         const double w = (1 - t) * a.weight + t * b.weight,
                      s = rules.weights == ReliefRules::Weights::Linear ? t : t * b.weight / w;
@@ -132,14 +127,17 @@ struct Plain {
             if (!rules.half_texels || !covered(x, y)) return;
             const Sample a = texel(x, y);
             Sample b = a;
-            b.depth = depth_beyond(x, y, side, 0);
+            b.depth = std::max(a.depth + double{prepared.growth_u.at(x, y)}, 0.0);
             const Place p = place(x + 0.5 + 0.5 * side, y + 0.5, b.depth);
+            if (side * (p.u - u(x)) <= 0) return;  // it would fold back
             b.v = p.v, b.weight = p.weight;
             across(u(x), p.u, a, b, false, emit);
         };
         std::vector<int> gaps = by_distance(-1, width() + 1, 1, e.u, e.toward);
         for (const int k : gaps) {
             if (joined(k, y, k + 1, y)) {
+                // a skin that folds back is not drawn
+                if (jump(depth(k, y), depth(k + 1, y)) && u(k) > u(k + 1)) continue;
                 across(u(k), u(k + 1), texel(k, y), texel(k + 1, y), jump(depth(k, y), depth(k + 1, y)),
                        emit);
             } else {
@@ -190,31 +188,19 @@ struct Plain {
     void stick_out(Prewarped& p, const Arrival& a, int row, int side) const {
         if (!rules.half_texels) return;
         Sample end = a.s;
-        // the slope is that of the nearest texel along the column, as the sample has it interpolated
-        end.depth = std::max(a.s.depth + slope(a, row, side), 0.0), end.kind = Kind::Sampled;
+        end.depth = std::max(a.s.depth + growth(a, row), 0.0), end.kind = Kind::Sampled;
         const Place at = place(0, row + 0.5 + 0.5 * side, end.depth);
+        if (side * (at.v - a.s.v) <= 0) return;
         end.v = at.v, end.weight = at.weight;
         side < 0 ? stretch(p, a.x, end, a.s) : stretch(p, a.x, a.s, end);
     }
-    // A texel's slope beyond the end of its column of the source; 0 where there is none.
-    double end_slope(int x, int y) const {
-        if (!covered(x, y)) return 0;
-        const bool up = joined(x, y - 1, x, y), down = joined(x, y, x, y + 1);
-        const auto to = [&](int j) {
-            const double d = depth(x, y + j);
-            return jump(d, depth(x, y)) ? 0 : depth(x, y) - d;
-        };
-        if (!up && down) return to(1);
-        if (!down && up) return to(-1);
-        return 0;
-    }
-    // Interpolated along the row between the texels that the sample came from, at its share of the way.
-    double slope(const Arrival& a, int row, int) const {
+    // How much deeper the surface gets beyond the end of its column, interpolated along the row between the
+    // texels that the sample came from.
+    double growth(const Arrival& a, int row) const {
         const int left = static_cast<int>(std::floor(a.s.source[0] - 0.5));
         const double t = a.s.source[0] - 0.5 - left;
-        const double at_left = end_slope(left, row), at_right = end_slope(left + 1, row);
-        if (t == 0 || !covered(left + 1, row)) return at_left;
-        return at_left + t * (at_right - at_left);
+        const auto of = [&](int x) { return double{prepared.carried.at(x, row).part[1][3]}; };
+        return t == 0 || !covered(left + 1, row) ? of(left) : of(left) + t * (of(left + 1) - of(left));
     }
 
     void columns(Prewarped& p, const Image<PlainSample>* rows) const {

@@ -106,7 +106,7 @@ struct RowsKeeper {
     void on(const RowsResampled<true>& rows) {
         for (int y = 0; y < depth.height(); ++y)
             for (int x = 0; x < depth.width(); ++x) {
-                const RowSample<true>& sample = rows.samples.at(x, y);
+                const RowSample<true> sample = rows.samples.at(x, y);
                 const Four& c = sample.carried.part[0];
                 color.at(x, y) = {c[0], c[1], c[2]}, depth.at(x, y) = c[3], v.at(x, y) = sample.v;
                 kind.at(x, y) = static_cast<std::uint8_t>(sample.kind);
@@ -131,8 +131,9 @@ void run_rows(const ReliefSubject& s, Method method, Resampler resampler, RowsKe
     }
     const PreparedRelief prepared = prepare(s.texture, settings.jump, settings.jump_depth);
     Prewarped picture;
-    prewarp(prepared, s.warp, s.window, settings, picture);
-    resample_two_passes<true>(method, prepared, s.warp, settings, picture, keeper);
+    PrewarpMemory memory;
+    prewarp(prepared, s.warp, s.window, settings, picture, memory);
+    resample_two_passes<true>(method, prepared, s.warp, settings, picture, memory.parts(), keeper);
 }
 
 Rgba8 kind_color(Kind kind) {

@@ -106,6 +106,24 @@ TEST(WriteFile, AFullDiskLeavesNothingBehind) {
     EXPECT_EQ(folder.names(), (Names{"old", "small"}));
 }
 
+TEST(WriteFiles, AllAreWrittenOrNone) {
+    const TemporaryFolder folder;
+    folder.write("old", "old bytes");
+    const FileToWrite small{folder.path("small"), "abc"}, replaced{folder.path("old"), "new bytes"},
+        large{folder.path("large"), std::string(5000, 'a')};
+    {
+        const SizeLimit limit(1000);
+        const FileToWrite files[] = {small, replaced, large};
+        EXPECT_EQ(message(folder, write_files(files)), "large: cannot be written: File too large");
+    }
+    EXPECT_EQ(folder.names(), Names{"old"});
+    EXPECT_EQ(bytes_of(folder.path("old")), "old bytes");
+    const FileToWrite files[] = {small, replaced, large};
+    EXPECT_EQ(message(folder, write_files(files)), "no error");
+    EXPECT_EQ(folder.names(), (Names{"large", "old", "small"}));
+    EXPECT_EQ(bytes_of(folder.path("old")), "new bytes");
+}
+
 TEST(WriteFile, ADeviceIsWrittenAndStaysADevice) {
     EXPECT_EQ(write_file("/dev/full", "a")->text(), "/dev/full: cannot be written: No space left on device");
     EXPECT_FALSE(write_file("/dev/null", "a"));

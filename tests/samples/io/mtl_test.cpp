@@ -48,6 +48,21 @@ TEST(Mtl, OneNumberIsGreyAndChannelsEndAtOne) {
     EXPECT_EQ((*materials)[1].material.color, (LinearRgb{0, 0, 0}));
 }
 
+TEST(Mtl, KnowsWhatIsTransparent) {
+    const TemporaryFolder folder;
+    const auto transparent = [&](const std::string& statements) {
+        const auto materials = read_mtl(folder.write("x.mtl", "newmtl a\nd 0.5\nnewmtl b\n" + statements));
+        EXPECT_TRUE(materials) << materials.error().text();
+        EXPECT_TRUE((*materials)[0].transparent);
+        return (*materials)[1].transparent;
+    };
+    for (const char* const opaque : {"", "d 1", "Tr 0", "d 1.0\nTr 1.0", "Tr 1\nd 1", "illum 2", "d -halo 1"})
+        EXPECT_FALSE(transparent(opaque)) << opaque;
+    for (const char* const glass : {"d 0.99", "d 0", "Tr 0.01", "d 0.5\nTr 0", "d -halo 0.5", "map_d a.png",
+                                    "map_d a.png\nd 1", "d 1\nmap_d a.png"})
+        EXPECT_TRUE(transparent(glass)) << glass;
+}
+
 TEST(Mtl, AnAbsoluteTexturePathStays) {
     const TemporaryFolder folder;
     const auto materials = read_mtl(folder.write("x.mtl", "newmtl a\nmap_Kd /usr/a.png"));
@@ -62,6 +77,8 @@ TEST(Mtl, ErrorsNameTheToken) {
     EXPECT_EQ(error_of("newmtl a\nKs 1 1"), "x.mtl:2:7: a number is missing: Ks needs red, green and blue");
     EXPECT_EQ(error_of("newmtl a\nKs"), "x.mtl:2:3: a number is missing: Ks needs red, green and blue");
     EXPECT_EQ(error_of("newmtl a\nNs 1e39"), "x.mtl:2:4: '1e39' is no exponent, Ns takes a number from 0 up");
+    EXPECT_EQ(error_of("newmtl a\nd 1.5"), "x.mtl:2:3: '1.5' is no opacity, d takes a number from 0 to 1");
+    EXPECT_EQ(error_of("newmtl a\nTr"), "x.mtl:2:3: '' is no transparency, Tr takes a number from 0 to 1");
     EXPECT_EQ(error_of("newmtl"), "x.mtl:1:7: a name is missing after newmtl");
     EXPECT_EQ(error_of("Kd 1 1 1"), "x.mtl:1:1: 'Kd' before the first newmtl");
     EXPECT_EQ(error_of("newmtl a\nmap_Kd"), "x.mtl:2:7: a file name is missing after map_Kd");

@@ -177,10 +177,10 @@ INSTANTIATE_TEST_SUITE_P(
             "scene.toml:2:8: object.mesh is \"teapott\", accepted: a file ending in .obj or .solid, or a "
             "shape: cube, "
             "dice, sphere, torus, plane, teapot, terrain, did you mean 'teapot'?"},
-        Bad{"mesh = \"cube\"\nrepresentation = \"relief\"",
-            "scene.toml:3:1: unknown key object.representation, accepted: mesh, name, transform, material, "
-            "segments, "
-            "tube, repeat, seed, height"},
+        Bad{"mesh = \"cube\"\nrepresentations = \"relief\"",
+            "scene.toml:3:1: unknown key object.representations, accepted: mesh, surface, name, transform, "
+            "representation, relief, step, material, segments, tube, repeat, seed, height, did you mean "
+            "'representation'?"},
         Bad{"mesh = \"cube\"\nsegments = [3, 3]",
             "scene.toml:3:12: object.segments is no parameter of mesh = \"cube\", accepted: none"},
         Bad{"mesh = \"sphere\"\nseed = 1",

@@ -190,19 +190,20 @@ INSTANTIATE_TEST_SUITE_P(
             "scene.toml: there is no [[object]] with a mesh and no [[shape2d]]: a scene needs at least one"},
         Bad{"width = 3\n[[object]]\nmesh = \"cube\"",
             "scene.toml:1:1: unknown table or key width, accepted: [image], [camera], [[light]], "
-            "[[object]], [axes], [clip], [[shape2d]], [pipeline]"},
+            "[[object]], [animation], [axes], [clip], [[shape2d]], [pipeline]"},
         Bad{"[[objekt]]\nmesh = \"cube\"",
             "scene.toml:1:3: unknown table or key objekt, accepted: [image], [camera], "
-            "[[light]], [[object]], [axes], [clip], [[shape2d]], [pipeline], did you mean 'object'?"},
+            "[[light]], [[object]], [animation], [axes], [clip], [[shape2d]], [pipeline], did you mean "
+            "'object'?"},
         Bad{"[object]\nmesh = \"cube\"",
             "scene.toml:1:2: [object] is one table, accepted: [[object]], which may be repeated"},
         Bad{"[[image]]\nwidth = 3\n[[object]]\nmesh = \"cube\"",
             "scene.toml:1:1: image is a list, accepted: a table"},
         Bad{"camera = 3\n[[object]]\nmesh = \"cube\"", "scene.toml:1:10: camera is 3, accepted: a table"},
         Bad{"object = [1]", "scene.toml:1:11: object is 1, accepted: a table"},
-        Bad{"[[object]]\nmesh = \"cube\"\n[animation]\nframes = 3",
-            "scene.toml:3:2: unknown table or key animation, accepted: [image], [camera], "
-            "[[light]], [[object]], [axes], [clip], [[shape2d]], [pipeline]"}));
+        Bad{"[[object]]\nmesh = \"cube\"\n[animations]\nframes = 3",
+            "scene.toml:3:2: unknown table or key animations, accepted: [image], [camera], [[light]], "
+            "[[object]], [animation], [axes], [clip], [[shape2d]], [pipeline], did you mean 'animation'?"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Image, BadScene,

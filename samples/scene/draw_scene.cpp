@@ -1,0 +1,49 @@
+#include "samples/scene/draw_scene.hpp"
+
+#include "samples/scene/animation.hpp"
+
+namespace relevo::scene {
+namespace {
+
+io::FileError wrong(const ReliefObject& object, const std::string& what) {
+    return {object.place, object.name + ": " + what};
+}
+
+}  // namespace
+
+io::FileResult<ReliefPictures> take_pictures(const LoadedScene& scene) {
+    ReliefPictures pictures;
+    for (const ReliefObject& object : scene.reliefs) {
+        auto made = relief::represent(object.representation, object.settings, shape_capture(scene, object));
+        if (!made) return wrong(object, made.error().message);
+        pictures.objects.push_back(*std::move(made));
+    }
+    return pictures;
+}
+
+io::FileResult<Drawn> draw_scene(const LoadedScene& loaded, const ReliefPictures& pictures, int frame_number,
+                                 raster::Frame& frame, raster::fast::Workspace& workspace,
+                                 raster::fast::Workers* workers) {
+    raster::Scene scene = loaded.scene;
+    scene.camera = camera_at(loaded, frame_number);
+    Drawn drawn;
+    std::vector<relief::Represented> objects;
+    for (std::size_t i = 0; i < loaded.reliefs.size(); ++i) {
+        relief::Represented object = pictures.objects[i];
+        if (const auto refusal = relief::refusal(object, scene.camera)) {
+            drawn.notes.push_back(wrong(loaded.reliefs[i], "drawn as geometry: " + refusal->message).text());
+            const std::vector<raster::Model>& models = loaded.reliefs[i].models->models;
+            scene.models.insert(scene.models.end(), models.begin(), models.end());
+            if (!models.empty()) continue;
+            object.representation = relief::Representation::Geometry;
+        }
+        objects.push_back(std::move(object));
+    }
+    drawn.rendering = raster::render(scene, loaded.settings, frame, workspace, workers);
+    for (const relief::Represented& object : objects)
+        if (const auto error = relief::draw_represented(object, scene, loaded.settings, frame))
+            return io::FileError{{loaded.path, 0, 0}, error->message};
+    return drawn;
+}
+
+}  // namespace relevo::scene

@@ -1,0 +1,117 @@
+// Scenes with everything in them: models and objects by pictures, frame by frame.
+#include "samples/scene/draw_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "raster/draw.hpp"
+
+namespace relevo::scene {
+namespace {
+
+LoadedScene parsed(const std::string& text) {
+    auto scene = parse_scene(text, "scene.toml");
+    EXPECT_TRUE(scene) << scene.error().text();
+    return scene ? std::move(*scene) : LoadedScene{};
+}
+struct Result {
+    raster::Frame frame;
+    std::vector<std::string> notes;
+};
+Result drawn(const LoadedScene& scene, int number = 0) {
+    Result out{make_frame(scene), {}};
+    raster::fast::Workspace workspace;
+    const auto pictures = take_pictures(scene);
+    EXPECT_TRUE(pictures) << pictures.error().text();
+    const auto done = draw_scene(scene, *pictures, number, out.frame, workspace);
+    EXPECT_TRUE(done) << done.error().text();
+    if (done) out.notes = done->notes;
+    return out;
+}
+template <class Pixel>
+bool same(const raster::Image<Pixel>& a, const raster::Image<Pixel>& b) {
+    return a.pixels().size() == b.pixels().size() &&
+           std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size() * sizeof(Pixel)) == 0;
+}
+
+const std::string head =
+    "[image]\nwidth = 80\nheight = 60\n[camera]\neye = [0.5, 0.7, 3]\ntarget = [0, 0, 0]\n";
+
+TEST(DrawScene, AModelAloneIsWhatTheMachineDraws) {
+    const LoadedScene scene = parsed(head + "[[object]]\nmesh = \"torus\"\n");
+    raster::Frame machine = make_frame(scene);
+    raster::draw(scene.scene, scene.settings, machine);
+    const Result ours = drawn(scene);
+    EXPECT_TRUE(same(machine.color, ours.frame.color));
+    EXPECT_TRUE(same(machine.depth, ours.frame.depth));
+    EXPECT_TRUE(ours.notes.empty());
+}
+
+// A ball behind a square is hidden by it, whatever it is made of, and hides it from before.
+TEST(DrawScene, ModelsAndReliefsHideEachOther) {
+    for (const std::string way : {"geometry", "relief", "relief-box", "relief-inverse", "ldi"}) {
+        const std::string wall =
+            "[[object]]\nmesh = \"plane\"\ntransform = [ { scale = 9 }, { rotate = { axis = [1, 0, 0], "
+            "degrees = 90 } }, "
+            "{ translate = [0, 0, ZZ] } ]\nmaterial = { color = [1, 0, 0], ambient = 1, diffuse = 0, "
+            "specular = 0 }\n";
+        const auto with_wall = [&](const std::string& z) {
+            std::string text = wall;
+            text.replace(text.find("ZZ"), 2, z);
+            return drawn(
+                parsed(head + "[[object]]\nsurface = \"sphere\"\nrepresentation = \"" + way + "\"\n" + text));
+        };
+        const raster::Rgba8 red{255, 0, 0, 255};
+        const Result before = with_wall("1.5"), behind = with_wall("-1.5");
+        EXPECT_EQ(before.frame.color.at(40, 30), red) << way;
+        EXPECT_NE(behind.frame.color.at(40, 30), red) << way;
+        EXPECT_EQ(behind.frame.color.at(2, 2), red) << way;
+    }
+}
+
+TEST(DrawScene, ReliefsSeenFromBehindAreDrawnAsGeometryAndNoted) {
+    const std::string orbit = "[animation]\nradius = 3\ntarget = [0, 0, 0]\nframes = 2\n";
+    const LoadedScene surface =
+        parsed(head + orbit + "[[object]]\nsurface = \"bumpy\"\nrepresentation = \"relief\"\n");
+    EXPECT_TRUE(drawn(surface, 0).notes.empty());
+    const Result behind = drawn(surface, 1);
+    ASSERT_EQ(behind.notes.size(), 1u);
+    EXPECT_EQ(behind.notes[0],
+              "scene.toml:13:18: bumpy: drawn as geometry: the viewer must lie in front of the relief's "
+              "plane, not on "
+              "it or behind: choose another face, or draw the geometry");
+    const Result truth = drawn(parsed(head + orbit + "[[object]]\nsurface = \"bumpy\"\n"), 1);
+    EXPECT_TRUE(same(behind.frame.color, truth.frame.color));
+
+    const LoadedScene mesh =
+        parsed(head + orbit + "[[object]]\nmesh = \"torus\"\nrepresentation = \"sprite\"\n");
+    const Result mesh_behind = drawn(mesh, 1);
+    ASSERT_EQ(mesh_behind.notes.size(), 1u);
+    const Result mesh_truth = drawn(parsed(head + orbit + "[[object]]\nmesh = \"torus\"\n"), 1);
+    EXPECT_TRUE(same(mesh_behind.frame.color, mesh_truth.frame.color));
+}
+
+TEST(DrawScene, AParallelViewDrawsReliefs) {
+    const LoadedScene scene = parsed(
+        "[image]\nwidth = 80\nheight = 60\n[camera]\nprojection = \"orthographic\"\nheight = 3\neye = [0.6, "
+        "0.4, 3]\n"
+        "[[object]]\nsurface = \"sphere\"\nrepresentation = \"relief\"\n");
+    const Result relief = drawn(scene);
+    EXPECT_TRUE(relief.notes.empty());
+    std::int64_t covered = 0;
+    for (const auto z : relief.frame.depth.pixels()) covered += z != 0;
+    EXPECT_NEAR(double(covered), pipeline::pi * 20 * 20, 40);  // a disc of radius 1 of 1.5 half the height
+}
+
+TEST(DrawScene, WhatHasNoExtentIsRefusedWithItsPlace) {
+    LoadedScene scene = parsed(head + "[[object]]\nmesh = \"torus\"\nrepresentation = \"ldi\"\n");
+    EXPECT_TRUE(take_pictures(scene));
+    scene.reliefs[0].models->models.clear();
+    const auto pictures = take_pictures(scene);
+    ASSERT_FALSE(pictures);
+    EXPECT_EQ(pictures.error().text(), "scene.toml:9:18: torus: the object has no extent");
+}
+
+}  // namespace
+}  // namespace relevo::scene
