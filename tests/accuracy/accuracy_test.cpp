@@ -21,7 +21,7 @@ std::map<std::string_view, Measured (*)()> all_measurements() {
     std::map<std::string_view, Measured (*)()> all;
     for (const auto list :
          {elementary_measurements(), geometry_measurements(), surface_measurements(), knob_measurements(),
-          line_measurements(), curve_measurements(), plane_measurements()})
+          line_measurements(), curve_measurements(), plane_measurements(), relief_measurements()})
         for (const Measurement& m : list) EXPECT_TRUE(all.emplace(m.row, m.measure).second) << m.row;
     return all;
 }

@@ -36,6 +36,7 @@ std::span<const Measurement> knob_measurements();
 std::span<const Measurement> line_measurements();
 std::span<const Measurement> curve_measurements();
 std::span<const Measurement> plane_measurements();
+std::span<const Measurement> relief_measurements();
 
 // One ulp of a float in [1, 2) is two of these.
 inline constexpr double float_unit = 0x1p-24;

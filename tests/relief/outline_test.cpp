@@ -61,7 +61,6 @@ TEST(Outline, ASteepOutlineDoesNotFray) {
                 worst = std::max(worst, std::abs(end + window.x0 - right));
             }
             EXPECT_LE(worst, 3) << int(resampler) << ' ' << int(jump);
-                        worst);
         }
 }
 
