@@ -1,6 +1,6 @@
-// An object as relief textures placed at any angles: the box of six faces (box.hpp) set free (Clua 2004, 3.2
-// and 3.4.3; "depth images" are what Levkovich-Maslyuk et al. call simple textures, "Depth image-based
-// representation and compression for static and animated 3-D objects", 2004).
+// An object as relief textures placed at any angles: the box of six faces (box.hpp) set free (the
+// "generalised box" of Bayakovski, Levkovich-Maslyuk et al., "Depth image-based representation for static and
+// animated 3D objects", 2002; Clua 2004, 3.2).
 //
 // The six sides of a box are as good as any for a ball. A bowl that is tilted shows its inside to none of
 // them whole; a picture taken straight into it does. So the sources stand where there is something to be
