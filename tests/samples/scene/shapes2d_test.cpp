@@ -216,22 +216,22 @@ TEST_P(BadLesson, IsRefusedAtItsPlace) {
 
 INSTANTIATE_TEST_SUITE_P(
     Tables, BadLesson,
-    testing::Values(
-        Bad{"[[shape2d]]\n[[object]]\nmesh = \"cube\"",
-            "2:3: a scene is made of [[object]]s or of [[shape2d]]s, not of both"},
-        Bad{"[camera]\n[[shape2d]]\n",
-            "1:2: camera is for [[object]]s, and this scene is made of [[shape2d]]s"},
-        Bad{"[[shape2d]]\n[[light]]\n",
-            "2:3: light is for [[object]]s, and this scene is made of [[shape2d]]s"},
-        Bad{"[axes]\n[[object]]\nmesh = \"cube\"",
-            "1:2: axes is for [[shape2d]]s, and this scene is made of [[object]]s"},
-        Bad{"[clip]\n[[object]]\nmesh = \"cube\"",
-            "1:2: clip is for [[shape2d]]s, and this scene is made of [[object]]s"},
-        Bad{"[shape2d]\ntype = \"line\"",
-            "1:2: [shape2d] is one table, accepted: [[shape2d]], which may be repeated"},
-        Bad{"[[shape2b]]\ntype = \"line\"",
-            "1:3: unknown table or key shape2b, accepted: [image], [camera], [[light]], [[object]], [axes], "
-            "[clip], [[shape2d]], [pipeline], did you mean 'shape2d'?"}));
+    testing::Values(Bad{"[[shape2d]]\n[[object]]\nmesh = \"cube\"",
+                        "2:3: a scene is made of [[object]]s or of [[shape2d]]s, not of both"},
+                    Bad{"[camera]\n[[shape2d]]\n",
+                        "1:2: camera is for [[object]]s, and this scene is made of [[shape2d]]s"},
+                    Bad{"[[shape2d]]\n[[light]]\n",
+                        "2:3: light is for [[object]]s, and this scene is made of [[shape2d]]s"},
+                    Bad{"[axes]\n[[object]]\nmesh = \"cube\"",
+                        "1:2: axes is for [[shape2d]]s, and this scene is made of [[object]]s"},
+                    Bad{"[clip]\n[[object]]\nmesh = \"cube\"",
+                        "1:2: clip is for [[shape2d]]s, and this scene is made of [[object]]s"},
+                    Bad{"[shape2d]\ntype = \"line\"",
+                        "1:2: [shape2d] is one table, accepted: [[shape2d]], which may be repeated"},
+                    Bad{"[[shape2b]]\ntype = \"line\"",
+                        "1:3: unknown table or key shape2b, accepted: [image], [camera], [[light]], "
+                        "[[object]], [animation], [axes], "
+                        "[clip], [[shape2d]], [pipeline], did you mean 'shape2d'?"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Axes, BadLesson,
