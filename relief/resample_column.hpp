@@ -92,7 +92,7 @@ class ColumnResampler {
         }
         void find_pixels(Scalar height) {
             const Scalar* const v = samples.v;
-            int* const pixel = pixel_.data();
+            Scalar* const pixel = pixel_.data();
             for (int x = span.x0; x < span.x1; ++x) pixel[x] = first_pixel(v[x], height);
             for (int i = columns_; i < size_; ++i) pixel[i] = first_pixel(v[i], height);
         }
@@ -103,10 +103,10 @@ class ColumnResampler {
 
         SampleLines<maps> own_;
         int columns_ = 0, size_ = 0;
-        std::vector<int> pixel_;    // first_pixel(v), of every sample
-        std::vector<int> partner_;  // the sample of the other row with which it is connected; -1: none
-        std::vector<int> next_;     // the next sample of the same column; -1: none
-        std::vector<int> last_;     // of a column with several
+        std::vector<Scalar> pixel_;  // first_pixel(v), of every sample
+        std::vector<int> partner_;   // the sample of the other row with which it is connected; -1: none
+        std::vector<int> next_;      // the next sample of the same column; -1: none
+        std::vector<int> last_;      // of a column with several
     };
 
     ColumnResampler(const PreparedRelief& relief, const DepthWarp& warp, const Painter<maps>& painter,
@@ -118,8 +118,8 @@ class ColumnResampler {
           y0_(static_cast<Scalar>(window.y0)),
           height_(static_cast<Scalar>(window.height)),
           first_(first),
+          work_(std::size_t(last - first)),
           from_(std::size_t(last - first)),
-          to_(std::size_t(last - first)),
           share_(std::size_t(last - first)) {
         for (Line* const line : {&before_, &now_})
             folds ? line->own(last - first) : line->borrow(last - first);
@@ -153,7 +153,7 @@ class ColumnResampler {
     struct Stop {
         const Carried<maps>* carried;
         Scalar v, weight;
-        int pixel;  // first_pixel(v)
+        Scalar pixel;  // first_pixel(v)
         Kind kind;
     };
 
@@ -163,43 +163,57 @@ class ColumnResampler {
         const Line &upper = down ? before_ : now_, &lower = down ? now_ : before_;
         const SampleLine<maps>&a = upper.samples, &b = lower.samples;
         const raster::Span span = hull(upper.span, lower.span);
-        const int *const pixel_a = upper.pixel_.data(), *const pixel_b = lower.pixel_.data();
-        first_shares(span, a, b, pixel_a, pixel_b, from_.data(), to_.data(), share_.data());
-        const int *const from = from_.data(), *const to = to_.data();
-        const Scalar* const share = share_.data();
+        find_work(span, a, b, upper.pixel_.data(), lower.pixel_.data(), work_.data(), from_.data(),
+                  share_.data());
+        if (cut_)
+            for (int x = span.x0; x < span.x1; ++x)
+                if (a.count[x] == 1 && b.count[x] == 1 && is_jump(a.carried[x], b.carried[x]))
+                    work_[std::size_t(x)] = Work::Other;
+        const Work* const work = work_.data();
+        const Scalar *const from = from_.data(), *const share = share_.data();
         const Painter<maps> painter = painter_;
         for (int x = span.x0; x < span.x1; ++x) {
-            const int count_a = a.count[x], count_b = b.count[x];
-            if (count_a == 1 && count_b == 1 && !(cut_ && is_jump(a.carried[x], b.carried[x]))) {
-                const int y = from[x], end = to[x];
-                if (y == end) continue;
-                const Scalar at = static_cast<Scalar>(y) + Scalar(0.5);
-                const Kind kind = maps ? kind_between(at, a.v[x], b.v[x], a.kind[x], b.kind[x],
-                                                      is_jump(a.carried[x], b.carried[x]))
-                                       : Kind::Sampled;
-                painter.paint(first_ + x, y, lerp(a.carried[x], b.carried[x], share[x]), kind);
-                if (y + 1 < end) [[unlikely]]
-                    stretch(x, y + 1, end, stop(upper, x), stop(lower, x));
-            } else if ((count_a | count_b) != 0) {
+            if (work[x] == Work::None) continue;
+            if (work[x] == Work::Other) {
                 connect_column(x, held, row);
+                continue;
+            }
+            const Kind kind = maps ? kind_between(from[x] + Scalar(0.5), a.v[x], b.v[x], a.kind[x], b.kind[x],
+                                                  is_jump(a.carried[x], b.carried[x]))
+                                   : Kind::Sampled;
+            painter.paint(first_ + x, static_cast<int>(from[x]), lerp(a.carried[x], b.carried[x], share[x]),
+                          kind);
+            if (work[x] == Work::Pixels) [[unlikely]] {
+                const Stop upper_stop = stop(upper, x), lower_stop = stop(lower, x);
+                stretch(x, static_cast<int>(from[x]) + 1,
+                        static_cast<int>(std::max(upper_stop.pixel, lower_stop.pixel)), upper_stop,
+                        lower_stop);
             }
         }
     }
 
-    // The pixels between a sample of a in each column and one of b, and the share of the first of them.
-    [[gnu::noinline]] static void first_shares(raster::Span span, const SampleLine<maps>& a,
-                                               const SampleLine<maps>& b, const int* pixel_a,
-                                               const int* pixel_b, int* __restrict from, int* __restrict to,
-                                               Scalar* __restrict share) {
+    // What there is to do in a column: connect one sample with one, which makes no pixel, one, or more; or
+    // something else.
+    enum class Work : std::uint8_t { None, Pixel, Pixels, Other };
+
+    // Of each column the first pixel between a sample of a and one of b, and its share, as if there were one
+    // of each.
+    [[gnu::noinline]] static void find_work(raster::Span span, const SampleLine<maps>& a,
+                                            const SampleLine<maps>& b, const Scalar* pixel_a,
+                                            const Scalar* pixel_b, Work* __restrict work,
+                                            Scalar* __restrict from, Scalar* __restrict share) {
         const Scalar *const v_a = a.v, *const v_b = b.v, *const weight_a = a.weight,
                             *const weight_b = b.weight;
+        const std::uint8_t *const count_a = a.count, *const count_b = b.count;
         for (int x = span.x0; x < span.x1; ++x) {
-            from[x] = std::min(pixel_a[x], pixel_b[x]);
-            to[x] = std::max(pixel_a[x], pixel_b[x]);
+            const Scalar first = std::min(pixel_a[x], pixel_b[x]), at = first + Scalar(0.5);
+            from[x] = first;
+            share[x] = corrected_share(weight_a[x], weight_b[x], at - v_a[x], v_b[x] - at);
         }
         for (int x = span.x0; x < span.x1; ++x) {
-            const Scalar at = static_cast<Scalar>(from[x]) + Scalar(0.5);
-            share[x] = corrected_share(weight_a[x], weight_b[x], at - v_a[x], v_b[x] - at);
+            const int pixels = static_cast<int>(std::min(std::abs(pixel_a[x] - pixel_b[x]), Scalar(2))),
+                      any = (count_a[x] | count_b[x]) != 0 ? 3 : 0;
+            work[x] = static_cast<Work>((count_a[x] == 1) & (count_b[x] == 1) ? pixels : any);
         }
     }
 
@@ -244,10 +258,10 @@ class ColumnResampler {
                 stick_out(x, row, stop(now, i), down ? -1 : 1);
                 continue;
             }
-            const int one = now.pixel_[std::size_t(i)], two = before.pixel_[std::size_t(other)];
+            const Scalar one = now.pixel_[std::size_t(i)], two = before.pixel_[std::size_t(other)];
             if (one == two) continue;
             const Stop here = stop(now, i), there = stop(before, other);
-            stretch(x, std::min(one, two), std::max(one, two), down ? there : here, down ? here : there);
+            down ? stretch(x, there, here) : stretch(x, here, there);
         }
     }
 
@@ -262,7 +276,8 @@ class ColumnResampler {
         }
     }
     void stretch(int x, const Stop& a, const Stop& b) const {
-        stretch(x, std::min(a.pixel, b.pixel), std::max(a.pixel, b.pixel), a, b);
+        stretch(x, static_cast<int>(std::min(a.pixel, b.pixel)), static_cast<int>(std::max(a.pixel, b.pixel)),
+                a, b);
     }
 
     // The half texel above (-1) or below (1) a sample of a row of the source that has no neighbour
@@ -271,8 +286,8 @@ class ColumnResampler {
         Carried<maps> carried = *stop.carried;
         const Scalar depth = depth_beyond(carried.depth(), carried.growth()),
                      v = warped_v(static_cast<Scalar>(2 * row + 1 + side) / 2, depth, warp_) - y0_;
-        const int end = first_pixel(v, height_);
-        if (side * (end - stop.pixel) <= 0) return;
+        const Scalar end = first_pixel(v, height_);
+        if (static_cast<Scalar>(side) * (end - stop.pixel) <= 0) return;  // folds back
         carried.set_depth(depth);
         stretch(x, stop, {&carried, v, weight_at(depth, warp_), end, Kind::Sampled});
     }
@@ -284,8 +299,8 @@ class ColumnResampler {
     Scalar y0_, height_;
     int first_;
     Line before_, now_;
-    std::vector<int> from_, to_;
-    std::vector<Scalar> share_;
+    std::vector<Work> work_;  // these three: of each column, between the two lines
+    std::vector<Scalar> from_, share_;
 };
 
 }  // namespace relevo::relief

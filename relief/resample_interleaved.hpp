@@ -29,7 +29,7 @@ void resample_interleaved(const PreparedRelief& relief, const Warp& warp, const 
                                                  if (line.samples.count[x] != 0) return line.add(x, sample());
                                                  line.samples.count[x] = 1, line.samples.set(x, sample());
                                              });
-        line.span = row->columns;
+        line.span = occupied(line.samples.count, window.width);
     });
 }
 

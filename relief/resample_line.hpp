@@ -22,12 +22,12 @@
 namespace relevo::relief {
 
 // The first pixel of 0..size-1 whose centre is at `place` or beyond; `size` when there is none. What is
-// not a number counts as 0.
-inline int first_pixel(Scalar place, Scalar size) {
+// not a number counts as 0. As a number of the kind of all others: four are computed at a time.
+inline Scalar first_pixel(Scalar place, Scalar size) {
     Scalar x = place - Scalar(0.5);
     x = x > 0 ? x : 0, x = x < size ? x : size;
     const int below = static_cast<int>(x);
-    return below + (static_cast<Scalar>(below) < x);
+    return static_cast<Scalar>(below + (static_cast<Scalar>(below) < x));
 }
 
 inline Gap gap_between(bool first_covered, bool second_covered, Scalar first_depth, Scalar second_depth,

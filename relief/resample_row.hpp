@@ -1,6 +1,7 @@
 // The horizontal half of every resampler: the texels of one source row, warped, and the samples at the
 // pixel columns between them.
 #pragma once
+#include <cstring>
 #include <memory>
 
 #include "relief/resample_line.hpp"
@@ -17,18 +18,17 @@ namespace relevo::relief {
 struct WarpedRow {
     static constexpr int length = pipeline::max_picture_size + 16;
     int y = -1;                   // of the source
-    raster::Span columns{0, 0};   // from the first of all columns to before the last
     Scalar u[length], v[length];  // where each texel goes
     Scalar weight[length];        // h / (h + d)
-    int column[length];           // first_pixel(u)
+    Scalar column[length];        // first_pixel(u)
 
     // Between texel k and the next, as if they hung together. All gaps are treated alike, four side by side,
     // which costs less than to ask which of them matter.
     enum Work : std::uint8_t { None, OneSample, More };
-    Work work[length];             // what there is to do at gap k - 1
-    int from[length], to[length];  // the columns from..to-1
-    Scalar t[length];              // the first sample, if there is one: its share of the way
-    Scalar corrected[length];      // the same, perspective-correct
+    Work work[length];         // what there is to do at gap k - 1
+    Scalar from[length];       // the first of the columns
+    Scalar t[length];          // the first sample, if there is one: its share of the way
+    Scalar corrected[length];  // the same, perspective-correct
     Scalar sample_v[length], sample_weight[length];  // as in RowSample
 };
 inline std::unique_ptr<WarpedRow> make_warped_row() { return std::unique_ptr<WarpedRow>(new WarpedRow); }
@@ -49,32 +49,24 @@ inline void warp_row(const PreparedRelief& relief, const Warp& warp, const Windo
         row.v[x] = (at_v + k2 * q) * w - y0;
         row.weight[x] = (1 + perspective * q) * w;
     }
-    int first = window.width, end = 0;
-    for (int x = covered.x0; x < covered.x1; ++x) {
-        const int column = first_pixel(row.u[x], width);
-        row.column[x] = column;
-        first = std::min(first, column), end = std::max(end, column);
-    }
-    row.columns = {std::min(first, end), end};
+    for (int x = covered.x0; x < covered.x1; ++x) row.column[x] = first_pixel(row.u[x], width);
 }
 
-// The numbers of the gaps covered.x0-1..covered.x1-1; the first and the last of them stick out.
+// The numbers of the gaps covered.x0-1..covered.x1-1; the first and the last of them stick out. A skin that
+// folds back is not drawn: it hangs behind the sheet from whose border it comes.
 inline void sample_gaps(const Gap* gaps, raster::Span covered, WarpedRow& row) {
     const int last = covered.x1 - 1;
     for (int k = covered.x0; k < last; ++k) {
         row.from[k] = std::min(row.column[k], row.column[k + 1]);
-        row.to[k] = std::max(row.column[k], row.column[k + 1]);
+        const int columns = static_cast<int>(row.column[k + 1] - row.column[k]),
+                  samples = std::min(std::abs(columns), 2);
+        const bool folds = columns < 0, is_skin = gaps[k] == Gap::Across;
+        const int drawn = folds & is_skin ? 0 : samples, sticks_out = gaps[k] == Gap::Empty ? 0 : 2;
+        row.work[k + 1] = static_cast<WarpedRow::Work>(gaps[k] >= Gap::Joined ? drawn : sticks_out);
     }
-    for (int k = covered.x0; k < last; ++k) {
-        const int samples = std::min(row.to[k] - row.from[k], 2), sticks_out = gaps[k] == Gap::Empty ? 0 : 2;
-        row.work[k + 1] = static_cast<WarpedRow::Work>(gaps[k] >= Gap::Joined ? samples : sticks_out);
-    }
-    for (int k = covered.x0; k < last; ++k)
-        if (gaps[k] == Gap::Across && row.column[k] > row.column[k + 1]) row.work[k + 1] = WarpedRow::None;
     row.work[covered.x0] = row.work[covered.x1] = WarpedRow::More;
     for (int k = covered.x0; k < last; ++k) {
-        const Scalar at = static_cast<Scalar>(row.from[k]) + Scalar(0.5),
-                     t = (at - row.u[k]) * (1 / (row.u[k + 1] - row.u[k])),
+        const Scalar at = row.from[k] + Scalar(0.5), t = (at - row.u[k]) * (1 / (row.u[k + 1] - row.u[k])),
                      weight = row.weight[k] + t * (row.weight[k + 1] - row.weight[k]);
         row.t[k] = t, row.sample_weight[k] = weight;
         row.corrected[k] = t * row.weight[k + 1] / weight;
@@ -109,6 +101,21 @@ struct SampleLine {
         return {count + x, carried + x, v + x, weight + x, maps ? kind + x : kind};
     }
 };
+
+// From the first column with a sample to behind the last.
+inline raster::Span occupied(const std::uint8_t* count, int columns) {
+    const auto eight_without = [count](int x) {
+        std::uint64_t eight;
+        std::memcpy(&eight, count + x, sizeof eight);
+        return eight == 0;
+    };
+    raster::Span span{0, columns};
+    while (span.x1 - span.x0 >= 8 && eight_without(span.x0)) span.x0 += 8;
+    while (span.x0 < span.x1 && count[span.x0] == 0) ++span.x0;
+    while (span.x1 - span.x0 >= 8 && eight_without(span.x1 - 8)) span.x1 -= 8;
+    while (span.x0 < span.x1 && count[span.x1 - 1] == 0) --span.x1;
+    return span;
+}
 
 // Many of them, one below the other. What a row holds is undefined until it is cleared.
 template <bool maps>
@@ -188,14 +195,15 @@ template <bool maps>
 struct RowEnd {
     const Carried<maps>& carried;
     Scalar u, v, weight;
-    int column;
+    Scalar column;
 };
 
 // The samples between a and b, a being the texel of the lower number or that of which b sticks out.
 template <bool maps, class Method, class Emit>
 [[gnu::noinline]] void sample_between(const RowEnd<maps>& a, const RowEnd<maps>& b, bool across,
                                       const DepthWarp& warp, Emit& emit) {
-    const int from = std::min(a.column, b.column), to = std::max(a.column, b.column);
+    const int from = static_cast<int>(std::min(a.column, b.column)),
+              to = static_cast<int>(std::max(a.column, b.column));
     if (from == to) return;
     const Scalar inverse = 1 / (b.u - a.u);
     for (int x = from; x < to; ++x)
@@ -223,15 +231,14 @@ template <bool maps, class Method, class Emit>
                  v = warped_v(static_cast<Scalar>(row.y) + Scalar(0.5), depth, warp) -
                      static_cast<Scalar>(window.y0);
     end.set_depth(depth);
-    const int column = row.column[k], beyond = first_pixel(u, static_cast<Scalar>(window.width));
-    if (side * (beyond - column) <= 0) return;
-    row.columns = {std::min(row.columns.x0, beyond), std::max(row.columns.x1, beyond)};
+    const Scalar column = row.column[k], beyond = first_pixel(u, static_cast<Scalar>(window.width));
+    if (static_cast<Scalar>(side) * (beyond - column) <= 0) return;  // folds back
     sample_between<maps, Method>({c, row.u[k], row.v[k], row.weight[k], column}, {end, u, v, weight, beyond},
                                  false, warp, emit);
 }
 
 // The samples of a row in the order of painting: emit(x, sample) for one in pixel column x, where
-// sample() computes it. They lie in row.columns, which may grow here. Method: what is interpolated how
+// sample() computes it. Method: what is interpolated how
 // (resample_two_passes.hpp).
 template <bool maps, class Method, class Emit>
 void resample_row(const PreparedRelief& relief, WarpedRow& row, const DepthWarp& warp,
@@ -256,11 +263,13 @@ void resample_row(const PreparedRelief& relief, WarpedRow& row, const DepthWarp&
         return sample;
     };
     for (const Run& run : gap_runs(order.u - covered.x0, covered.x1 - covered.x0, order.toward)) {
-        for (int i = 0, k = run.first + covered.x0; i < run.count; ++i, k += run.step) {
+        std::ptrdiff_t at = run.first + covered.x0;
+        for (int left = run.count; left > 0; --left, at += run.step) {
+            const int k = static_cast<int>(at);
             const WarpedRow::Work work = row.work[k + 1];
             if (work == WarpedRow::None) continue;
             if (work == WarpedRow::OneSample) [[likely]] {
-                emit(row.from[k], [&] { return first_sample(k); });
+                emit(static_cast<int>(row.from[k]), [&] { return first_sample(k); });
                 continue;
             }
             const Gap gap = gaps[k];

@@ -52,7 +52,7 @@ void resample_two_passes(Method, const PreparedRelief& relief, const Warp& warp,
             resample_row<maps, Method>(relief, *row, constants, order, window, [line](int x, auto&& sample) {
                 line.count[x] = 1, line.set(x, sample());
             });
-            spans[static_cast<std::size_t>(y)] = row->columns;
+            spans[static_cast<std::size_t>(y)] = occupied(line.count, window.width);
         }
     });
     pipeline::note<RowsResampled<maps>>(probe, samples, window);

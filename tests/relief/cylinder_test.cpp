@@ -169,6 +169,27 @@ TEST(Cylinder, OffTheAxisParallaxIsRight) {
     }
 }
 
+TEST(Cylinder, WhereNothingIsNothingIsSeen) {
+    const Spheres two{{{{0, 0, -2}, 0.3}, {{0, 0, 2}, 0.3}}};  // one before, across the seam, one behind
+    const CylinderRelief relief = *capture_cylinder(two, camera(512));
+    EXPECT_TRUE(relief.coverage.at(0, 65) && relief.coverage.at(511, 65) && relief.coverage.at(256, 65));
+    EXPECT_FALSE(relief.coverage.at(128, 65) || relief.coverage.at(384, 65));
+    const glm::dvec3 eye(0.3, 0, 0.1);
+    const ViewImage warped = *warp_cylinder(relief, eye);
+    for (const double degrees : {-10.0, 190.0}) {
+        const ReliefCamera viewer = looking(eye, degrees);
+        const ErrorSet error =
+            error_set(look_at_cylinder(relief.camera, warped, viewer), ray_cast_view(two, viewer));
+        EXPECT_GT(error.union_pixels, 1000);
+        EXPECT_LT(error.missing_percent, 7);  // the side of a ball that was turned away
+        EXPECT_LT(error.extra_percent, 4);
+        EXPECT_LT(error.mean_depth_error, 0.01);
+    }
+    const CylinderRelief empty = *capture_cylinder(Spheres{}, camera(64));
+    const ViewImage nothing = *warp_cylinder(empty, eye);
+    for (const std::uint8_t covered : nothing.coverage.pixels()) EXPECT_EQ(covered, 0);
+}
+
 // ---------------------------------------------------------------------------------------- refusals
 TEST(Cylinder, RefusesWhatItCannotShow) {
     const auto refused = [](auto&& change) {

@@ -6,12 +6,14 @@
 #include <cmath>
 #include <vector>
 
+#include "relief/capture_raster.hpp"
 #include "relief/error_set.hpp"
 #include "relief/optical_flow.hpp"
 #include "relief/ray_cast.hpp"
 #include "relief/surface_checker_cube.hpp"
 #include "relief/view_morph.hpp"
 #include "samples/scene/shapes/spheres.hpp"
+#include "samples/scene/shapes/torus.hpp"
 #include "tests/relief/random_source.hpp"
 
 namespace relevo::relief {
@@ -208,6 +210,31 @@ TEST(ViewMorph, IsTheViewBetweenAndPlainMorphingIsNot) {
     check("sphere", scene::sphere_object, 25, 1, 1);
     check("bumpy", scene::bumpy_object, 20, 1, 2);
     check("checkered cube", CheckerCube{}, 15, 1, 2);
+}
+
+// Two views of a mesh from our own rasterizer, whose texels know their points as vertices know their numbers.
+TEST(ViewMorph, OfAMeshIsWhatTheRasterizerDrawsBetween) {
+    pipeline::Mesh torus = scene::torus_mesh(48, 24, 0.4);
+    raster::Scene scene;
+    raster::Model& model = scene.models.emplace_back();
+    model.mesh = &torus, model.material.color = {Scalar(0.8), Scalar(0.5), Scalar(0.2)};
+    scene.lights.push_back({});
+    const raster::Settings lit{.shading = raster::Shading::Gouraud};
+    const auto view = [&](const ReliefCamera& camera) { return *capture_raster(scene, camera, lit); };
+    const ReliefCamera camera0 = camera_round(-15, 40, 200), camera1 = camera_round(15, 50, 200);
+    const ReliefTexture texture0 = view(camera0), texture1 = view(camera1);
+    const ViewImage truth = as_seen(view(view_between(camera0, camera1, 0.5)));
+    const auto to1 = true_correspondence(texture0, camera1), to0 = true_correspondence(texture1, camera0);
+    const ErrorSet got = error_set(*view_morph(camera0, as_seen(texture0), camera1, as_seen(texture1), to1,
+                                               to0, 0.5, 0.1),
+                                   truth),
+                   plain = error_set(morph(as_seen(texture0), as_seen(texture1), to1, to0, 0.5, 0.1), truth);
+    std::printf(
+        "torus, a mesh: view morph %.2f dB, missing %.2f %%, depth %.4f; plain %.2f dB, missing %.2f %%\n",
+        got.psnr, got.missing_percent, got.mean_depth_error, plain.psnr, plain.missing_percent);
+    EXPECT_GT(got.psnr, plain.psnr + 5);
+    EXPECT_LT(got.missing_percent, 0.5);
+    EXPECT_LT(got.mean_depth_error, 0.005);
 }
 
 TEST(ViewMorph, RefusesWhatHasNoCommonPlane) {

@@ -75,7 +75,7 @@ TEST(SelfShadow, LooksAtEveryTexelOnTheWay) {
     for (std::size_t i = 0; i < texture.depth.pixels().size(); ++i)
         texture.coverage.pixels()[i] = 1, texture.depth.pixels()[i] = 1,
         texture.normal.pixels()[i] = {0, 0, -1};
-    texture.depth.at(40, 20) = 0;  // one thin pillar
+    texture.depth.at(40, 20) = texture.depth.at(12, 30) = 0;  // thin pillars
     const ReliefSolid solid = extruded_solid(texture);
     struct Counter {
         int looks = 0;
@@ -88,6 +88,8 @@ TEST(SelfShadow, LooksAtEveryTexelOnTheWay) {
     EXPECT_EQ(counter.looks, 54);
     EXPECT_FALSE(is_blocked(solid, {{10.5, 20.5, 1}, {30, 0, -0.5}, 0.9}, {}));  // the light stands before it
     EXPECT_FALSE(is_blocked(solid, {{10.5, 20.5, 1}, {0, 0, -1}, 10}, {}));
+    // One that stands close by, once the line of light is out of the surface.
+    EXPECT_TRUE(is_blocked(solid, {{10.5, 30.5, 1}, {30, 0, -0.5}, 10}, {}));
 }
 
 // ---------------------------------------------------------------------------------------- against the truth

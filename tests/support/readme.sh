@@ -24,3 +24,11 @@ block toml >"$folder/first.toml"
 "$relevo" steps "$root/samples/scenes/lessons/figure-5-2.toml" -o "$folder/lesson"
 "$relevo" compare "$root/samples/lesson.png" "$folder/lesson/01-line-midpoint/003.png" ||
     { echo "samples/lesson.png is not what the lesson shows: copy its 01-line-midpoint/003.png over it" >&2; exit 1; }
+
+"$relevo" render "$root/samples/scenes/relief/ways.toml" -o "$folder/ways.png"
+"$relevo" compare "$root/samples/ways.png" "$folder/ways.png" ||
+    { echo "samples/ways.png is not what its scene draws: relevo render samples/scenes/relief/ways.toml" >&2; exit 1; }
+
+"$relevo" steps "$root/samples/scenes/relief/bumpy.toml" -o "$folder/bumpy" --stage relief-field
+"$relevo" compare "$root/samples/relief_stage.png" "$folder/bumpy/20-relief-field.png" ||
+    { echo "samples/relief_stage.png is not the stage relief-field of samples/scenes/relief/bumpy.toml" >&2; exit 1; }
