@@ -14,6 +14,7 @@
 #include "raster/path.hpp"
 #include "samples/io/picture.hpp"
 #include "samples/io/png.hpp"
+#include "samples/io/relief_file.hpp"
 #include "samples/io/suggest.hpp"
 #include "samples/io/words.hpp"
 #include "samples/relevo/commands.hpp"
@@ -26,7 +27,7 @@ namespace relevo::command {
 namespace {
 
 struct RenderOptions {
-    std::string scene, output, size, raw_depth, statistics, threads, frames;
+    std::string scene, output, size, raw_depth, statistics, threads, frames, relief;
     std::vector<std::string> set;
 };
 
@@ -127,6 +128,16 @@ class Progress {
     bool shown_, written_ = false;
 };
 
+// --relief: the first picture that was taken, with its depth.
+io::Failure write_first_relief(const RenderOptions& options, const scene::ReliefPictures& pictures) {
+    if (options.relief.empty()) return {};
+    for (const relief::Represented& object : pictures.objects)
+        if (!object.textures.empty())
+            return io::write_relief(options.relief, object.textures.front(), io::ReliefNumbers::Float);
+    return io::FileError{{"--relief " + options.relief, 0, 0},
+                         "this scene has no object that is shown by pictures (representation)"};
+}
+
 int render_objects(const RenderOptions& options, const scene::LoadedScene& loaded, const std::string& output,
                    int threads, double load) {
     const auto frames = parse_frames(options.frames, loaded);
@@ -139,6 +150,7 @@ int render_objects(const RenderOptions& options, const scene::LoadedScene& loade
     const auto pictures = scene::take_pictures(loaded);
     if (!pictures) return refuse(pictures.error());
     double draw = milliseconds_since(start);
+    if (const io::Failure failure = write_first_relief(options, *pictures)) return refuse(*failure);
     raster::Rendering rendering;
     Progress progress(frames->second - frames->first + 1);
     for (int number = frames->first; number <= frames->second; ++number, progress.step()) {
@@ -177,6 +189,9 @@ int render_lesson(const RenderOptions& options, const scene::LoadedScene& loaded
     if (!options.frames.empty())
         return refuse(io::FileError{{"--frames " + options.frames, 0, 0},
                                     "a lesson has one picture; only scenes with [animation] have frames"});
+    if (!options.relief.empty())
+        return refuse(io::FileError{{"--relief " + options.relief, 0, 0},
+                                    "a lesson has no relief; only scenes of [[object]]s have one"});
     if (!options.raw_depth.empty())
         return refuse(io::FileError{{"--raw-depth " + options.raw_depth, 0, 0},
                                     "a lesson has no depth buffer; only scenes of [[object]]s have one"});
@@ -243,6 +258,11 @@ void add_render(CLI::App& app, int& status) {
         ->type_name("KEY=VALUE");
     command->add_option("--raw-depth", options->raw_depth, "Also write the depth buffer, 32-bit float.")
         ->type_name("FILE.exr");
+    command
+        ->add_option(
+            "--relief", options->relief,
+            "Also write the first relief texture of the scene: its camera, and EXR pictures beside it.")
+        ->type_name("FILE.json");
     command
         ->add_option("--threads", options->threads,
                      "Threads of the fast path, 1 to 256; default: as many as there are cores.")

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "samples/io/relief_file.hpp"
 #include "tests/samples/relevo/program.hpp"
 
 namespace relevo::command {
@@ -76,6 +77,21 @@ TEST(RenderRelief, AReliefSeenFromBehindIsDrawnAsGeometryWithAWarning) {
         "relief's plane, not on it or behind: choose another face, or draw the geometry\n"
         "warning: frame 2: turn.toml:10:18: sphere: drawn as geometry: the viewer must lie in front of the "
         "relief's plane, not on it or behind: choose another face, or draw the geometry\n");
+}
+
+TEST(RenderRelief, TheReliefItselfIsWritten) {
+    const TemporaryFolder folder;
+    folder.write("turn.toml", turn_of("relief"));
+    folder.write("still.toml", "[[object]]\nmesh = \"cube\"\n");
+    const Outcome outcome = run(folder, "render turn.toml --frames 0 --relief ball.json");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const auto texture = io::read_relief(folder.path("ball.json"));
+    ASSERT_TRUE(texture) << texture.error().text();
+    EXPECT_EQ(texture->camera.width, 16);
+    EXPECT_EQ(texture->coverage.at(8, 8), 1);
+    EXPECT_NEAR(texture->depth.at(8, 8), 0, 0.01);  // the ball touches the plane
+    EXPECT_EQ(run(folder, "render still.toml --relief none.json").err,
+              "--relief none.json: this scene has no object that is shown by pictures (representation)\n");
 }
 
 TEST(RenderRelief, EverySampleSceneIsDrawnAndTakenApart) {
