@@ -213,7 +213,7 @@ class ColumnResampler {
         for (int x = span.x0; x < span.x1; ++x) {
             const int pixels = static_cast<int>(std::min(std::abs(pixel_a[x] - pixel_b[x]), Scalar(2))),
                       any = (count_a[x] | count_b[x]) != 0 ? 3 : 0;
-            work[x] = static_cast<Work>((count_a[x] == 1) & (count_b[x] == 1) ? pixels : any);
+            work[x] = static_cast<Work>(((count_a[x] == 1) & (count_b[x] == 1)) ? pixels : any);
         }
     }
 

@@ -37,7 +37,7 @@ void resample_interleaved(const PreparedRelief& relief, const Warp& warp, const 
         if (y < 0 || y >= rows) return;
         warp_row(relief, warp, window, y, *row);
         resample_row<maps, AsymmetricMethod>(relief, *row, constants, order, window,
-                                             [&line, &probe, y](int x, auto&& sample) {
+                                             [&](int x, auto&& sample) {
                                                  if constexpr (pipeline::Wants<Probe, SampleSent<maps>>)
                                                      pipeline::note<SampleSent<maps>>(probe, x, y, sample());
                                                  if (line.samples.count[x] != 0) return line.add(x, sample());

@@ -61,7 +61,7 @@ inline void sample_gaps(const Gap* gaps, raster::Span covered, WarpedRow& row) {
         const int columns = static_cast<int>(row.column[k + 1] - row.column[k]),
                   samples = std::min(std::abs(columns), 2);
         const bool folds = columns < 0, is_skin = gaps[k] == Gap::Across;
-        const int drawn = folds & is_skin ? 0 : samples, sticks_out = gaps[k] == Gap::Empty ? 0 : 2;
+        const int drawn = (folds & is_skin) ? 0 : samples, sticks_out = gaps[k] == Gap::Empty ? 0 : 2;
         row.work[k + 1] = static_cast<WarpedRow::Work>(gaps[k] >= Gap::Joined ? drawn : sticks_out);
     }
     row.work[covered.x0] = row.work[covered.x1] = WarpedRow::More;
