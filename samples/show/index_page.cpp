@@ -80,19 +80,20 @@ std::string index_page(const scene::LoadedScene& loaded, std::span<const StageRe
     };
     count(loaded.scene.models);
     for (const scene::ReliefObject& object : loaded.reliefs) count(object.models->models);
-    const std::string reliefs =
-        loaded.reliefs.empty()
-            ? ""
-            : ", " + counted(std::int64_t(loaded.reliefs.size()), "object") + " by pictures";
+    std::string things;
+    if (!loaded.scene.models.empty())
+        things = counted(std::int64_t(loaded.scene.models.size()), "model") + ", ";
+    if (!loaded.reliefs.empty())
+        things += counted(std::int64_t(loaded.reliefs.size()), "object") + " by pictures, ";
+    if (triangles > 0) things += counted(triangles, "triangle") + ", ";
     const std::string title = escaped(loaded.name) + ": the pipeline step by step";
     std::string page =
         html_head(title, style) +
         fmt::format(
-            "<header>\n<h1>{0}</h1>\n<p class=\"soft\">{1}, {2}{5}, {3} × {4} pixels. "
+            "<header>\n<h1>{0}</h1>\n<p class=\"soft\">{1}{2} × {3} pixels. "
             "The same numbers for programs: <a href=\"steps.json\">steps.json</a>; how long it took: <a "
             "href=\"timing.json\">timing.json</a>.</p>\n</header>\n<nav aria-label=\"Stages\"><ol>\n",
-            title, counted(std::int64_t(loaded.scene.models.size()), "model"), counted(triangles, "triangle"),
-            loaded.width, loaded.height, reliefs);
+            title, things, loaded.width, loaded.height);
     for (const StageRecord& r : records) page += thumbnail(r);
     page += "</ol></nav>\n<main>\n";
     for (std::size_t i = 0; i < records.size(); ++i) page += section(records, i);

@@ -3,6 +3,7 @@
 
 #include "relief/inverse_slices.hpp"
 #include "relief/inverse_view.hpp"
+#include "relief/unseen.hpp"
 #include "samples/scene/choices.hpp"
 #include "samples/scene/draw_scene.hpp"
 #include "samples/show/numbers.hpp"
@@ -257,6 +258,18 @@ StagePage draw_relief_faces(const ReliefView& view, const Heading& heading) {
             Row::Square, accent(f),
             std::string(face_names[f]) + (region.shows(static_cast<relief::Face>(f)) ? ", in front" : ""),
             grouped(pixels[f + 1]) + " px"));
+    std::optional<Count> unseen;
+    if (const raster::Scene& shape = *view.object->models; !shape.models.empty()) {
+        std::vector<relief::ReliefCamera> cameras;
+        for (const relief::ReliefTexture& texture : object.textures) cameras.push_back(texture.camera);
+        const auto seen = relief::seen_triangles(shape, cameras, view.loaded->settings.cull);
+        const auto all = std::int64_t(seen.size()),
+                   never = std::int64_t(std::count(seen.begin(), seen.end(), 0));
+        where.rows.push_back(pair("never seen", grouped(never)));
+        where.rows.push_back(
+            quiet(fmt::format("of {} triangles: those that no texel of any face shows.", grouped(all))));
+        unseen = Count{"triangles_no_face_sees", never};
+    }
     const relief::ErrorSet depth_error = error_set(by_depth, view.truth),
                            order_error = error_set(by_order, view.truth);
     PanePage page = pane_page(
@@ -265,6 +278,7 @@ StagePage draw_relief_faces(const ReliefView& view, const Heading& heading) {
         panes);
     page.stage.counts = {{"region", std::int64_t(region.number())},
                          {"faces_in_front", std::int64_t(region.faces())}};
+    if (unseen) page.stage.counts.push_back(*unseen);
     add_counts(page.stage, "nearest", depth_error);
     add_counts(page.stage, "order", order_error);
     return std::move(page.stage);
