@@ -130,7 +130,8 @@ class SampleLines {
     int height() const { return height_; }
     SampleLine<maps> row(int y) const {
         const std::size_t i = std::size_t(y) * std::size_t(width_);
-        return {&count_[i], &carried_[i], &v_[i], &weight_[i], maps ? &kind_[i] : nullptr};
+        return {count_.get() + i, carried_.get() + i, v_.get() + i, weight_.get() + i,
+                maps ? kind_.get() + i : nullptr};
     }
     SampleLine<maps> clear_row(int y) {
         const SampleLine<maps> line = row(y);
