@@ -1,9 +1,13 @@
 // Where a surface ends: the half texels that stick out of it (relief/resample_line.hpp, relief/prepare.cpp).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "relief/prewarp.hpp"
+#include "relief/ray_cast.hpp"
 #include "relief/resample_line.hpp"
+#include "relief/surface_plane_step.hpp"
 
 namespace relevo::relief {
 namespace {
@@ -62,6 +66,28 @@ TEST(Outline, ASteepOutlineDoesNotFray) {
             }
             EXPECT_LE(worst, 3) << int(resampler) << ' ' << int(jump);
         }
+}
+
+// A skin over a step is seen from the side that the step faces, and from there only: from behind it folds
+// back, hidden by the higher plate, and is not drawn at all.
+TEST(FoldedSkin, IsNotDrawn) {
+    const PlaneStep plane{0.5};
+    const ReliefCamera camera = *orthographic_camera({{0, 0, -1}, {0, 1, 0}, 96, 96}, {0, 0, 1}, 2);
+    const ReliefTexture texture = ray_cast(plane, camera);
+    for (const Resampler resampler :
+         {Resampler::OneDimensional, Resampler::Asymmetric, Resampler::Compensated, Resampler::Interleaved}) {
+        const auto across = [&](double x) {
+            const Warp warp = *make_warp(camera, viewer_at({x, 0.3, 4}));
+            const Window window = *target_window(camera, warp, depth_range(texture));
+            PrewarpSettings settings;
+            settings.resampler = resampler, settings.maps = true;
+            const Prewarped picture = prewarp(texture, warp, window, settings);
+            const auto& kinds = picture.kind.pixels();
+            return std::count(kinds.begin(), kinds.end(), Kind::FilledAcross);
+        };
+        EXPECT_GT(across(-2), 500) << int(resampler);  // some ten pixels wide in 90 rows
+        EXPECT_EQ(across(2), 0) << int(resampler);
+    }
 }
 
 }  // namespace
