@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "relief/warp.hpp"
 
@@ -81,6 +82,25 @@ template <class Visit>
 void for_each_gap(double epipole, int count, bool toward, Visit&& visit) {
     for (const Run& run : gap_runs(epipole, count, toward))
         for (int i = 0, k = run.first; i < run.count; ++i, k += run.step) visit(k);
+}
+
+// The gaps between the rows of a source one after another, as steps from row to row: each brings a row (-1
+// and `rows`, beyond the borders, are empty), and where it connects, the gap between it and the row of the
+// step before is painted.
+struct RowStep {
+    int row;
+    bool connects;
+};
+inline std::vector<RowStep> row_steps(const OcclusionOrder& order, int rows) {
+    const int above = texels_before(order.v, rows);
+    std::vector<RowStep> steps;
+    int held = -2;  // no row
+    for_each_gap(order.v, rows, order.toward, [&](int k) {
+        if (held != k && held != k + 1)
+            steps.push_back({held = (k < above) == order.toward ? k : k + 1, false});
+        steps.push_back({held = held == k ? k + 1 : k, true});
+    });
+    return steps;
 }
 
 }  // namespace relevo::relief

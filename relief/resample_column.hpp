@@ -5,6 +5,8 @@
 // before, never to one another, and there to the one that is nearest in depth: so sheets of the surface
 // stay apart.
 #pragma once
+#include <span>
+
 #include "relief/resample_row.hpp"
 
 namespace relevo::relief {
@@ -125,27 +127,17 @@ class ColumnResampler {
             folds ? line->own(last - first) : line->borrow(last - first);
     }
 
-    // feed_row(y, line) fills a line with the samples of row y of the source, or shows it where they are;
-    // rows outside of 0..rows-1 are asked for, too, and have none.
+    // The next of all row_steps(). feed_row(y, line) fills a line with the samples of row y of the source, or
+    // shows it where they are; what it shows must stay until the step after the next.
     template <class FeedRow>
-    void run(const OcclusionOrder& order, int rows, FeedRow&& feed_row) {
-        const int above = texels_before(order.v, rows);
-        int held = -2;  // the row in before_
-        const auto fill = [&](Line& line, int row) {
-            feed_row(row, line);
-            line.find_pixels(height_);
-        };
-        for_each_gap(order.v, rows, order.toward, [&](int k) {
-            if (held != k && held != k + 1) {
-                held = (k < above) == order.toward ? k : k + 1;
-                fill(before_, held);
-            }
-            const int row = held == k ? k + 1 : k;
-            fill(now_, row);
-            connect(held, row);
-            held = row;
+    void run(std::span<const RowStep> steps, FeedRow&& feed_row) {
+        for (const RowStep& step : steps) {
+            feed_row(step.row, now_);
+            now_.find_pixels(height_);
+            if (step.connects) connect(held_, step.row);
+            held_ = step.row;
             std::swap(before_, now_);
-        });
+        }
     }
 
   private:
@@ -299,6 +291,7 @@ class ColumnResampler {
     Scalar y0_, height_;
     int first_;
     Line before_, now_;
+    int held_ = -2;           // the row in before_
     std::vector<Work> work_;  // these three: of each column, between the two lines
     std::vector<Scalar> from_, share_;
 };

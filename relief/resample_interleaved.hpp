@@ -32,7 +32,7 @@ void resample_interleaved(const PreparedRelief& relief, const Warp& warp, const 
     using Columns = ColumnResampler<maps>;
     Columns columns(relief, constants, Painter<maps>(result, settings.depth_test), window, 0, window.width,
                     true);
-    columns.run(order, rows, [&](int y, typename Columns::Line& line) {
+    columns.run(row_steps(order, rows), [&](int y, typename Columns::Line& line) {
         line.clear();
         if (y < 0 || y >= rows) return;
         warp_row(relief, warp, window, y, *row);

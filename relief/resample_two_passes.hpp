@@ -8,25 +8,31 @@
 // where a row folds, the nearest.
 //
 // A method is a struct with
-//   static void adjust(sample, a, b, t, warp)  what it does to a sample at t between a and b that was
-//   interpolated
-//                                              perspective-correctly, with its row carried along
-//   carries_row                                whether pass 2 takes the row that was carried; else it finds
-//   the
-//                                              row by itself, from the displacement
+//   static void adjust(sample, a, b, t, warp)   what it does to a sample at t between a and b that was
+//                                               interpolated perspective-correctly, its row carried along
+//   carries_row                                 whether pass 2 takes the row that was carried; else it
+//                                               finds the row by itself, from the displacement
 #pragma once
+#include <span>
+
 #include "pipeline/probe.hpp"
 #include "relief/prewarp_memory.hpp"
 #include "relief/resample_column.hpp"
 
 namespace relevo::relief {
 
-// The horizontal pass is complete: the picture between the passes, window.width by rows of the source.
+// A row of the source is resampled: its samples in the columns of the window.
 template <bool maps>
-struct RowsResampled {
+struct RowResampled {
+    int row;
     const SampleLines<maps>& samples;
-    const Window& window;
+    int line;  // of them
+    RowSample<maps> at(int x) const { return samples.at(x, line); }
 };
+
+// So many rows are resampled before the columns take them: what lies between the passes stays in the cache,
+// where a whole picture of it would not (1024 x 1024: 45 MB).
+inline constexpr int rows_between_passes = 64;
 
 template <bool maps, class Method, class Probe = const pipeline::NoProbe>
 void resample_two_passes(Method, const PreparedRelief& relief, const Warp& warp,
@@ -36,49 +42,62 @@ void resample_two_passes(Method, const PreparedRelief& relief, const Warp& warp,
     const OcclusionOrder order = occlusion_order(warp, settings.painting);
     const Window& window = result.window;
     const int rows = relief.camera.height;
+    // Two blocks of rows in turn: the columns still hold the last row of the one before.
     SampleLines<maps>& samples = memory.template samples_for<maps>();
-    samples.fit(window.width, rows);
-    std::vector<raster::Span> spans(static_cast<std::size_t>(rows),
-                                    raster::Span{0, 0});  // of each row's samples
+    samples.fit(window.width, 2 * rows_between_passes);
+    std::array<raster::Span, 2 * rows_between_passes> spans;  // of each row's samples
     raster::fast::Workers& workers = memory.workers_for(settings.threads);
-    const int bands = settings.threads > 1 ? 8 * settings.threads : 1;
-    const auto cut = [&](int band, int size) { return static_cast<int>(std::int64_t{size} * band / bands); };
+    // Of columns; narrow ones cost more than they balance.
+    const int bands = settings.threads > 1 ? 2 * settings.threads : 1;
+    const auto cut = [&](int band) { return static_cast<int>(std::int64_t{window.width} * band / bands); };
+    std::vector<std::unique_ptr<WarpedRow>> warped;  // one a thread
+    for (int i = 0; i < workers.count(); ++i) warped.push_back(make_warped_row());
+    std::vector<ColumnResampler<maps>> columns;  // one a band
+    columns.reserve(static_cast<std::size_t>(bands));
+    for (int band = 0; band < bands; ++band)
+        columns.emplace_back(relief, constants, Painter<maps>(result, settings.depth_test), window, cut(band),
+                             cut(band + 1), false);
 
-    workers.run(bands, [&](int band, int) {
-        const std::unique_ptr<WarpedRow> row = make_warped_row();
-        for (int y = cut(band, rows); y < cut(band + 1, rows); ++y) {
-            const SampleLine<maps> line = samples.clear_row(y);
-            warp_row(relief, warp, window, y, *row);
-            resample_row<maps, Method>(relief, *row, constants, order, window, [line](int x, auto&& sample) {
-                line.count[x] = 1, line.set(x, sample());
-            });
-            spans[static_cast<std::size_t>(y)] = occupied(line.count, window.width);
-        }
-    });
-    pipeline::note<RowsResampled<maps>>(probe, samples, window);
-
-    workers.run(bands, [&](int band, int) {
-        const int first = cut(band, window.width), last = cut(band + 1, window.width);
-        const Scalar y0 = static_cast<Scalar>(window.y0);
-        SampleLines<maps> none;
-        none.fit(last - first, 1), none.clear_row(0);
-        using Columns = ColumnResampler<maps>;
-        Columns columns(relief, constants, Painter<maps>(result, settings.depth_test), window, first, last,
-                        false);
-        columns.run(order, rows, [&](int y, typename Columns::Line& line) {
-            line.samples = none.row(0), line.span = {0, 0};
-            if (y < 0 || y >= rows) return;
-            const auto [x0, x1] = spans[static_cast<std::size_t>(y)];
-            line.samples = samples.row(y).from(first);
+    const auto pass_1 = [&](int y, int line_number, WarpedRow& row) {
+        const SampleLine<maps> line = samples.clear_row(line_number);
+        spans[static_cast<std::size_t>(line_number)] = {0, 0};
+        if (y < 0 || y >= rows) return;
+        warp_row(relief, warp, window, y, row);
+        resample_row<maps, Method>(relief, row, constants, order, window, [line](int x, auto&& sample) {
+            line.count[x] = 1, line.set(x, sample());
+        });
+        spans[static_cast<std::size_t>(line_number)] = occupied(line.count, window.width);
+    };
+    const auto pass_2 = [&](int band, std::span<const RowStep> steps, int line_number) {
+        const int first = cut(band), last = cut(band + 1);
+        using Line = typename ColumnResampler<maps>::Line;
+        columns[static_cast<std::size_t>(band)].run(steps, [&](int y, Line& line) {
+            const auto [x0, x1] = spans[static_cast<std::size_t>(line_number)];
+            line.samples = samples.row(line_number++).from(first);
             line.span = {std::clamp(x0, first, last) - first, std::clamp(x1, first, last) - first};
             if (Method::carries_row) return;
             for (int x = line.span.x0; x < line.span.x1; ++x)
                 if (line.samples.count[x] != 0)
                     line.samples.v[x] = warped_v(static_cast<Scalar>(y) + Scalar(0.5),
                                                  line.samples.carried[x].depth(), constants) -
-                                        y0;
+                                        static_cast<Scalar>(window.y0);
         });
-    });
+    };
+
+    const std::vector<RowStep> all = row_steps(order, rows);
+    int half = 0;
+    for (std::span<const RowStep> left(all); !left.empty(); half = rows_between_passes - half) {
+        const auto steps = left.first(std::min(left.size(), std::size_t{rows_between_passes}));
+        const int count = static_cast<int>(steps.size());
+        workers.run(count, [&](int i, int worker) {
+            pass_1(steps[static_cast<std::size_t>(i)].row, half + i, *warped[std::size_t(worker)]);
+        });
+        for (int i = 0; i < count; ++i)
+            if (const int y = steps[static_cast<std::size_t>(i)].row; 0 <= y && y < rows)
+                pipeline::note<RowResampled<maps>>(probe, y, samples, half + i);
+        workers.run(bands, [&](int band, int) { pass_2(band, steps, half); });
+        left = left.subspan(steps.size());
+    }
 }
 
 }  // namespace relevo::relief

@@ -68,16 +68,14 @@ struct RowKeeper {
     Image<relief::LinearRgb>& color;
     Image<relief::Scalar>& depth;
     Image<std::uint8_t>& coverage;
-    void on(const relief::RowsResampled<true>& rows) {
-        const int width = rows.samples.width(), height = rows.samples.height();
-        color = {width, height}, depth = {width, height}, coverage = {width, height};
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) {
-                const auto& sample = rows.samples.at(x, y);
-                if (sample.kind == relief::Kind::Empty) continue;
-                const relief::Four& c = sample.carried.part[0];
-                color.at(x, y) = {c[0], c[1], c[2]}, depth.at(x, y) = c[3], coverage.at(x, y) = 1;
-            }
+    void on(const relief::RowResampled<true>& row) {
+        for (int x = 0; x < color.width(); ++x) {
+            const auto sample = row.at(x);
+            if (sample.kind == relief::Kind::Empty) continue;
+            const relief::Four& c = sample.carried.part[0];
+            color.at(x, row.row) = {c[0], c[1], c[2]}, depth.at(x, row.row) = c[3];
+            coverage.at(x, row.row) = 1;
+        }
     }
 };
 
@@ -85,9 +83,10 @@ struct RowKeeper {
 
 StagePage draw_relief_rows(const ReliefView& view, const Heading& heading) {
     Prewarped picture = view.warped(view.settings_with(Resampler::Asymmetric));
-    Image<relief::LinearRgb> color;
-    Image<relief::Scalar> depth;
-    Image<std::uint8_t> coverage;
+    const int width = view.window.width, height = view.texture().camera.height;
+    Image<relief::LinearRgb> color(width, height);
+    Image<relief::Scalar> depth(width, height);
+    Image<std::uint8_t> coverage(width, height);
     const relief::PrewarpSettings settings = view.settings_with(Resampler::Asymmetric);
     relief::PrewarpMemory::Parts memory;
     resample_two_passes<true>(relief::AsymmetricMethod{},

@@ -198,7 +198,7 @@ TEST(Representations, EachIsAsNearToTheTruthAsItIs) {
         {Representation::Geometry, 300, 0},       {Representation::Relief, 24.9, 1.5},
         {Representation::ReliefBox, 26.8, 0.05},  {Representation::ReliefInverse, 27.9, 0.4},
         {Representation::SpriteDepth, 24.2, 1.2}, {Representation::Ldi, 26, 0.4},
-        {Representation::Morph, 20, 3.6},           {Representation::Sprite, 12, 9.5},
+        {Representation::Morph, 20, 3.6},         {Representation::Sprite, 12, 9.5},
     };
     double sprite = 0;
     for (const Way& way : ways) {

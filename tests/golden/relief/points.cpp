@@ -103,14 +103,14 @@ struct RowsKeeper {
     Image<LinearRgb>& color;
     Image<Scalar>&depth, &v;
     Image<std::uint8_t>& kind;
-    void on(const RowsResampled<true>& rows) {
-        for (int y = 0; y < depth.height(); ++y)
-            for (int x = 0; x < depth.width(); ++x) {
-                const RowSample<true> sample = rows.samples.at(x, y);
-                const Four& c = sample.carried.part[0];
-                color.at(x, y) = {c[0], c[1], c[2]}, depth.at(x, y) = c[3], v.at(x, y) = sample.v;
-                kind.at(x, y) = static_cast<std::uint8_t>(sample.kind);
-            }
+    void on(const RowResampled<true>& row) {
+        const int y = row.row;
+        for (int x = 0; x < depth.width(); ++x) {
+            const RowSample<true> sample = row.at(x);
+            const Four& c = sample.carried.part[0];
+            color.at(x, y) = {c[0], c[1], c[2]}, depth.at(x, y) = c[3], v.at(x, y) = sample.v;
+            kind.at(x, y) = static_cast<std::uint8_t>(sample.kind);
+        }
     }
 };
 template <class Method>
