@@ -42,7 +42,9 @@ class ReliefPass {
         pipeline::ClipCodes any = 0;
         for (const glm::dvec2& uv : corners) {
             const glm::dvec3 p = plane_point(model_.source, uv.x, uv.y);
-            const HPoint<Clip> clip = clip_from_world_ * pipeline::Point<pipeline::World>{Vec3(p)};
+            HPoint<Clip> clip = clip_from_world_ * pipeline::Point<pipeline::World>{Vec3(p)};
+            // The plane may lie before the near plane or behind the far one: what it shows is what counts.
+            clip.v.z = clip.v.w / 2;
             any |= pipeline::clip_codes(clip);
             polygon.push({glm::dvec4(clip.v), {uv.x, uv.y}, 0});
         }

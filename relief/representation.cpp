@@ -220,6 +220,8 @@ Result<Represented> represent(Representation representation, const Representatio
             view.azimuth = {settings.azimuth.value + side * settings.aside.value};
             if (auto error = take(source_camera(view, object.ball))) return *std::move(error);
         }
+        const auto maps = make_view_morph(object.textures[0].camera, object.textures[1].camera, 0.5);
+        if (!maps) return maps.error();
         object.to1 = true_correspondence(object.textures[0], object.textures[1].camera);
         object.to0 = true_correspondence(object.textures[1], object.textures[0].camera);
         return object;
@@ -288,6 +290,15 @@ Result<ViewImage> view_of(const Represented& object, const ReliefCamera& screen,
 }
 
 std::optional<Error> refusal(const Represented& object, const raster::Camera& camera) {
+    if (object.representation == Representation::Morph) {
+        // seen from the middle of the object, at most half the way beyond one of the two views
+        const glm::dvec3 eye0 = object.textures[0].camera.eye - object.ball.centre,
+                         eye1 = object.textures[1].camera.eye - object.ball.centre,
+                         eye = glm::dvec3(viewer_of(camera).place) - object.ball.centre, way = eye1 - eye0;
+        const double along = glm::dot(eye - eye0, way) / glm::dot(way, way);
+        if (std::fabs(along - 0.5) <= 1 && glm::dot(eye, eye0 + eye1) > 0) return {};
+        return Error{"the viewer does not stand between the two views of the morph"};
+    }
     if (!has_one_plane(object.representation)) return {};
     const ReliefTexture& texture = object.textures[0];
     const auto warp = make_warp(texture.camera, viewer_of(camera));

@@ -68,7 +68,7 @@ struct RepresentedShape {
 BoundingBall bounding_ball(const RepresentedShape& shape);
 
 // The shape as a capture (capture.hpp), unlit, or lit as the source's eye sees it. Filtering and culling as
-// `settings` say.
+// `settings` say (layers always hold both sides).
 struct ShapeCapture {
     RepresentedShape shape;
     raster::Settings settings;
@@ -107,7 +107,8 @@ ReliefSolid solid_of(const std::vector<ReliefTexture>& textures, const Represent
 Result<Represented> represent(Representation representation, const RepresentationSettings& settings,
                               const ShapeCapture& capture);
 
-// Why the pictures cannot be drawn for this camera: its viewer is on or behind the plane of the only one.
+// Why the pictures cannot be drawn for this camera: its viewer is on or behind the plane of the only one, or
+// not between the two views of a morph (up to half the way beyond either is allowed).
 std::optional<pipeline::Error> refusal(const Represented& object, const raster::Camera& camera);
 
 // What a screen gets of the pictures, Representation::Relief included. Errors: those of refusal(); a

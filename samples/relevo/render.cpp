@@ -149,6 +149,7 @@ int render_objects(const RenderOptions& options, const scene::LoadedScene& loade
     const Clock::time_point start = Clock::now();
     const auto pictures = scene::take_pictures(loaded);
     if (!pictures) return refuse(pictures.error());
+    for (const std::string& note : pictures->notes) std::fprintf(stderr, "warning: %s\n", note.c_str());
     double draw = milliseconds_since(start);
     if (const io::Failure failure = write_first_relief(options, *pictures)) return refuse(*failure);
     raster::Rendering rendering;

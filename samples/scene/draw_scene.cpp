@@ -1,5 +1,7 @@
 #include "samples/scene/draw_scene.hpp"
 
+#include <algorithm>
+
 #include "samples/scene/animation.hpp"
 
 namespace relevo::scene {
@@ -16,6 +18,14 @@ io::FileResult<ReliefPictures> take_pictures(const LoadedScene& scene) {
     for (const ReliefObject& object : scene.reliefs) {
         auto made = relief::represent(object.representation, object.settings, shape_capture(scene, object));
         if (!made) return wrong(object, made.error().message);
+        const auto shows = [](const relief::ReliefTexture& texture) {
+            const auto& covered = texture.coverage.pixels();
+            return std::find(covered.begin(), covered.end(), 1) != covered.end();
+        };
+        if (!made->textures.empty() && std::none_of(made->textures.begin(), made->textures.end(), shows))
+            pictures.notes.push_back(
+                wrong(object, "its pictures are empty: from this azimuth and elevation no texel meets it")
+                    .text());
         pictures.objects.push_back(*std::move(made));
     }
     return pictures;
@@ -35,6 +45,10 @@ io::FileResult<Drawn> draw_scene(const LoadedScene& loaded, const ReliefPictures
             const std::vector<raster::Model>& models = loaded.reliefs[i].models->models;
             scene.models.insert(scene.models.end(), models.begin(), models.end());
             if (!models.empty()) continue;
+            if (scene.camera.parallel)
+                return wrong(
+                    loaded.reliefs[i],
+                    refusal->message + "; and rays are cast from an eye, which a parallel view has not");
             object.representation = relief::Representation::Geometry;
         }
         objects.push_back(std::move(object));

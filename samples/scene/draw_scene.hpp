@@ -9,6 +9,7 @@ namespace relevo::scene {
 // The pictures of the scene's relief objects, taken once.
 struct ReliefPictures {
     std::vector<relief::Represented> objects;  // one for each of LoadedScene::reliefs, from which they borrow
+    std::vector<std::string> notes;            // an object a line of whom no texel shows anything
 };
 // Errors name the place of the object.
 io::FileResult<ReliefPictures> take_pictures(const LoadedScene& scene);

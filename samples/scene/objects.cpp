@@ -154,7 +154,9 @@ void ObjectReader::read_surface(const Fields& object, const WorldFromObject& wor
     ReliefObject relief = relief_object(object);
     const relief::AnalyticSurface surface = find_surface(object, diagnosis_);
     if (!(std::fabs(glm::determinant(world_from_surface.m)) > 0))
-        object.refuse("transform", "steps that do not flatten a surface");
+        diagnosis_.say(
+            object.place("transform"),
+            "object.transform flattens the surface or shrinks it to nothing: it must have an inverse");
     const Value none{object.place(""), Table{}};
     const Value* given = object.find("material");
     const Fields fields(given ? *given : none, object.full("material"), lit_material_keys, diagnosis_);

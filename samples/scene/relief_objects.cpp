@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "samples/io/suggest.hpp"
 #include "samples/scene/shapes/spheres.hpp"
 
@@ -80,6 +82,14 @@ void read_source(const Fields& fields, Representation representation, relief::Re
 void read_search(const Fields& fields, relief::RepresentationSettings& out) {
     const bool parallel = out.projection == relief::Projection::Orthographic;
     out.search = fields.choice("search", out.search, searches);
+    // Maps of cones cost the fourth power of the texels along a side, and more.
+    const int most = out.search == relief::Search::Cones          ? 512
+                     : out.search == relief::Search::RelaxedCones ? 128
+                                                                  : out.texels;
+    if (!fields.has("texels")) out.texels = std::min(out.texels, most);
+    if (out.texels > most)
+        fields.refuse("texels", fmt::format("with search = \"{}\": a whole number from 1 to {}",
+                                            name_of(out.search, searches), most));
     out.slices.slices = fields.whole("slices", out.slices.slices, 1, 65536);
     out.slices.bisections = fields.whole("bisections", out.slices.bisections, 0, 64);
     out.end =

@@ -192,8 +192,8 @@ StagePage draw_relief_inverse(const ReliefView& view, const Heading& heading) {
         {quiet("Each line of sight is a straight line in the texture. The depths between the nearest and the "
                "deepest texel are cut into slices; the first one at which the line is inside the object is "
                "the hit."),
-         quiet("The error falls as 1 / N, the work grows as N. Halving the last slice eight times is as fine "
-               "as 8192 slices.")}};
+         quiet("The error falls as 1 / N, the work grows as N. Halving the last slice eight times finds the "
+               "depth as finely as 8192 slices; but what is thinner than a slice can still be missed.")}};
     PanePage page = pane_page(heading, {quality, how}, 3, panes);
     page.stage.counts = std::move(counts);
     return std::move(page.stage);

@@ -54,7 +54,8 @@ constexpr ReliefStageInfo all_stages[] = {
 std::span<const ReliefStageInfo> relief_stages() { return all_stages; }
 
 StagePage draw_stage(const ReliefView& view, const ReliefStageInfo& stage, const Heading& heading) {
-    if (view.problem.empty()) return stage.draw(view, heading);
+    const bool needs_no_warp = stage.draw == draw_relief_final;
+    if (view.problem.empty() || needs_no_warp) return stage.draw(view, heading);
     Page page = diagram_page(heading, {{"Object", {pair("name", shortened(view.object->name, 20))}}});
     say(canvas_of(page.picture), page.area, view.problem);
     return {std::move(page.picture), {{"shown", std::int64_t{0}}}, {}, 1};

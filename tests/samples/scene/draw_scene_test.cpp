@@ -104,6 +104,52 @@ TEST(DrawScene, AParallelViewDrawsReliefs) {
     EXPECT_NEAR(double(covered), pipeline::pi * 20 * 20, 40);  // a disc of radius 1 of 1.5 half the height
 }
 
+std::int64_t covered_pixels(const raster::Frame& frame) {
+    std::int64_t covered = 0;
+    for (const auto z : frame.depth.pixels()) covered += z != 0;
+    return covered;
+}
+
+// The plane of a relief may lie before the near plane, or behind the far one: the object counts.
+TEST(DrawScene, ThePlaneOfAReliefIsNotClipped) {
+    const std::string camera =
+        "[image]\nwidth = 80\nheight = 60\n[camera]\neye = [0.8, 0.5, 5]\ntarget = [0, 0, 0]\nnear = 3.5\n"
+        "[[object]]\nsurface = \"sphere\"\n";
+    const Result truth = drawn(parsed(camera));
+    const Result relief =
+        drawn(parsed(camera + "representation = \"relief\"\n[object.relief]\nradius = 2\n"));
+    EXPECT_NEAR(double(covered_pixels(relief.frame)), double(covered_pixels(truth.frame)), 20);
+}
+
+TEST(DrawScene, AMorphIsForViewersBetweenItsViews) {
+    const std::string object = "[[object]]\nmesh = \"torus\"\nrepresentation = \"morph\"\n";
+    const LoadedScene turn =
+        parsed(head + "[animation]\nradius = 3\ntarget = [0, 0, 0]\nframes = 4\n" + object);
+    EXPECT_TRUE(drawn(turn, 0).notes.empty());
+    for (const int frame : {1, 2, 3}) {
+        const Result aside = drawn(turn, frame);
+        ASSERT_EQ(aside.notes.size(), 1u);
+        EXPECT_NE(aside.notes[0].find("does not stand between the two views"), std::string::npos);
+        EXPECT_GT(covered_pixels(aside.frame), 100);
+    }
+    // from the pole all azimuths are one
+    const LoadedScene pole = parsed(head + object + "[object.relief]\nelevation = 90\n");
+    const auto pictures = take_pictures(pole);
+    ASSERT_FALSE(pictures);
+    EXPECT_EQ(pictures.error().text(),
+              "scene.toml:9:18: torus: the two views have the same eye: a view morph needs two places");
+}
+
+TEST(DrawScene, PicturesThatShowNothingAreNoted) {
+    const LoadedScene edge_on = parsed(head + "[[object]]\nmesh = \"plane\"\nrepresentation = \"sprite\"\n");
+    const auto pictures = take_pictures(edge_on);
+    ASSERT_TRUE(pictures);
+    ASSERT_EQ(pictures->notes.size(), 1u);
+    EXPECT_EQ(pictures->notes[0],
+              "scene.toml:9:18: plane: its pictures are empty: from this azimuth and elevation no "
+              "texel meets it");
+}
+
 TEST(DrawScene, WhatHasNoExtentIsRefusedWithItsPlace) {
     LoadedScene scene = parsed(head + "[[object]]\nmesh = \"torus\"\nrepresentation = \"ldi\"\n");
     EXPECT_TRUE(take_pictures(scene));

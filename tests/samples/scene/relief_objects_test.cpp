@@ -152,7 +152,8 @@ TEST(ReliefObjects, EveryMistakeHasItsPlace) {
               "scene.toml:3:14: unknown key object.material.color, accepted: ambient, diffuse, specular, "
               "shininess");
     EXPECT_EQ(error_of(object("surface = \"bumpy\"\ntransform = [ { scale = [1, 0, 1] } ]\n")),
-              "scene.toml:3:13: object.transform is a list, accepted: steps that do not flatten a surface");
+              "scene.toml:3:13: object.transform flattens the surface or shrinks it to nothing: it must have "
+              "an inverse");
     EXPECT_EQ(error_of(object("mesh = \"cube\"\n[object.relief]\ntexels = 4\n")),
               "scene.toml:3:1: object.relief has no meaning for representation = \"geometry\", which is the "
               "default");
