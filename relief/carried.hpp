@@ -58,17 +58,17 @@ struct DepthWarp {
 };
 
 inline Scalar weight_at(Scalar depth, const DepthWarp& warp) { return 1 / (1 + depth * warp.inverse_h); }
-inline Scalar parameter_at(Scalar depth, const DepthWarp& warp) {
-    const Scalar share = depth * warp.inverse_source_h;
-    return warp.inverse_source_h == 0 ? depth : -share / (1 + share);
+inline Scalar parameter_at(Scalar depth, Scalar inverse_source_h) {
+    const Scalar share = depth * inverse_source_h;
+    return inverse_source_h == 0 ? depth : -share / (1 + share);
 }
 // The place u_i or v_i to which a depth takes place u or v of the source; in texels of the plane.
 inline Scalar warped_u(Scalar u, Scalar depth, const DepthWarp& warp) {
-    const Scalar q = parameter_at(depth, warp);
+    const Scalar q = parameter_at(depth, warp.inverse_source_h);
     return (u + warp.k1 * q) * (1 / (1 + warp.k3 * q));
 }
 inline Scalar warped_v(Scalar v, Scalar depth, const DepthWarp& warp) {
-    const Scalar q = parameter_at(depth, warp);
+    const Scalar q = parameter_at(depth, warp.inverse_source_h);
     return (v + warp.k2 * q) * (1 / (1 + warp.k3 * q));
 }
 

@@ -1,14 +1,17 @@
+#include <limits>
+
 #include "relief/resample_line.hpp"
 
 namespace relevo::relief {
 namespace {
 
+constexpr Scalar infinity = std::numeric_limits<Scalar>::infinity();
+
 // The depth behind the plane of every texel, in world units; 0 where there is none.
 Image<Scalar> depths(const ReliefTexture& texture) {
     Image<Scalar> depth(texture.camera.width, texture.camera.height);
     const bool perspective = texture.camera.projection == Projection::Perspective;
-    const double source_h =
-        perspective ? glm::dot(texture.camera.corner - texture.camera.eye, forward(texture.camera)) : 0;
+    const double source_h = height_of_source(texture.camera);
     for (std::size_t i = 0; i < depth.pixels().size(); ++i) {
         if (texture.coverage.pixels()[i] == 0) continue;
         const Scalar stored = texture.depth.pixels()[i];
@@ -76,9 +79,18 @@ PreparedRelief prepare(const ReliefTexture& texture, Jump jump, Scalar jump_dept
         return 0;
     };
 
-    PreparedRelief relief{
-        texture.camera,      jump,           jump_depth, {}, {width, height}, {width, height},
-        {width + 1, height}, {width, height}};
+    using Parameters = PreparedRelief::Parameters;
+    const int groups = (width + group_of_texels - 1) / group_of_texels;
+    PreparedRelief relief{texture.camera,
+                          jump,
+                          jump_depth,
+                          {},
+                          {width, height},
+                          {width, height},
+                          {width + 1, height},
+                          {width, height},
+                          {groups, height, Parameters{infinity, -infinity}}};
+    const Scalar inverse_source_h = static_cast<Scalar>(1 / height_of_source(texture.camera));
     for (int y = 0; y < height; ++y) {
         raster::Span& span = relief.covered.emplace_back(raster::Span{width, 0});
         for (int x = 0; x <= width; ++x) {
@@ -91,7 +103,13 @@ PreparedRelief prepare(const ReliefTexture& texture, Jump jump, Scalar jump_dept
             const Scalar growth_v = growth_along(x, y, 0, 1);
             relief.parameter.at(x, y) = perspective ? texture.depth.at(x, y) - 1 : here;
             relief.carried.at(x, y) = {{Four{c.r, c.g, c.b, here}, Four{n.x, n.y, n.z, growth_v}}};
-            relief.growth_u.at(x, y) = growth_along(x, y, 1, 0);
+            const Scalar growth_u = relief.growth_u.at(x, y) = growth_along(x, y, 1, 0);
+            auto& [least, largest] = relief.parameters.at(x / group_of_texels, y);
+            for (const Scalar q :
+                 {relief.parameter.at(x, y), parameter_at(depth_beyond(here, growth_u), inverse_source_h)}) {
+                least = std::min(least, std::isfinite(q) ? q : -infinity);
+                largest = std::max(largest, std::isfinite(q) ? q : infinity);
+            }
         }
     }
     return relief;

@@ -14,10 +14,6 @@ template <class Pixel>
 void fit(Image<Pixel>& image, int width, int height) {
     if (image.width() != width || image.height() != height) image = Image<Pixel>(width, height);
 }
-template <class Pixel>
-void clear(Image<Pixel>& image) {
-    std::fill(image.pixels().begin(), image.pixels().end(), Pixel{});
-}
 
 template <bool maps>
 void resample(const PreparedRelief& relief, const Warp& warp, const PrewarpSettings& settings,
@@ -26,13 +22,13 @@ void resample(const PreparedRelief& relief, const Warp& warp, const PrewarpSetti
         case Resampler::Splat:
             return splat<maps>(relief, warp, settings, result);
         case Resampler::OneDimensional:
-            return resample_two_passes<maps>(OneDimensionalMethod{}, relief, warp, settings, result, memory);
+            return resample_picture<maps>(OneDimensionalMethod{}, relief, warp, settings, result, memory);
         case Resampler::Asymmetric:
-            return resample_two_passes<maps>(AsymmetricMethod{}, relief, warp, settings, result, memory);
+            return resample_picture<maps>(AsymmetricMethod{}, relief, warp, settings, result, memory);
         case Resampler::Compensated:
-            return resample_two_passes<maps>(CompensatedMethod{}, relief, warp, settings, result, memory);
+            return resample_picture<maps>(CompensatedMethod{}, relief, warp, settings, result, memory);
         case Resampler::Interleaved:
-            return resample_interleaved<maps>(relief, warp, settings, result);
+            return resample_picture<maps>(InterleavedMethod{}, relief, warp, settings, result, memory);
         case Resampler::Mesh:
             return MeshResampler<maps>(relief, warp, result).run();
     }
@@ -58,7 +54,6 @@ void prewarp(const PreparedRelief& relief, const Warp& warp, const Window& windo
     fit(result.coverage, width, height);
     fit(result.source, map_width, map_height), fit(result.kind, map_width, map_height);
     fit(result.writes, map_width, map_height);
-    clear(result.coverage), clear(result.kind), clear(result.writes);
     settings.maps ? resample<true>(relief, warp, settings, result, memory.parts())
                   : resample<false>(relief, warp, settings, result, memory.parts());
 }

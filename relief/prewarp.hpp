@@ -39,7 +39,7 @@ struct PrewarpSettings {
     Painting painting = Painting::Right;
     bool depth_test = false;  // compare depths instead of trusting the order
     bool maps = false;        // fill the last three pictures of the result, too
-    int threads = 1;          // of the forms in two passes; never changes a byte
+    int threads = 1;          // of the resamplers of rows and columns; never changes a byte
 };
 
 enum class Kind : std::uint8_t {
@@ -66,6 +66,7 @@ struct Prewarped {
 // A relief texture laid out for warping. It depends on no viewer: made once, it serves all warps. What a
 // resampler reads together lies together; which neighbours hang together, and how the surface goes on
 // where it ends (resample_line.hpp), is known beforehand.
+inline constexpr int group_of_texels = 32;  // of a row
 struct PreparedRelief {
     ReliefCamera camera;
     Jump jump;
@@ -75,6 +76,12 @@ struct PreparedRelief {
     Image<Carried<false>> carried;
     Image<Gap> gap;          // (k + 1, y): between the texels k and k + 1 of row y
     Image<Scalar> growth_u;  // of the depth beyond the last texel of a run of the row
+    // Of each group of texels of a row, with the half texels that stick out along it; infinite where one is
+    // not finite, least > largest where there is no surface.
+    struct Parameters {
+        Scalar least, largest;
+    };
+    Image<Parameters> parameters;
 };
 PreparedRelief prepare(const ReliefTexture& texture, Jump jump = Jump::Skin, Scalar jump_depth = Scalar(0.1));
 

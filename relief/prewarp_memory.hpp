@@ -6,21 +6,13 @@
 namespace relevo::relief {
 
 struct PrewarpMemory::Parts {
-    SampleLines<false> samples;  // the picture between two passes
-    SampleLines<true> samples_with_maps;
+    std::vector<std::unique_ptr<WarpedRow>> rows;  // at least one a thread
     std::unique_ptr<raster::fast::Workers> workers;
 
-    template <bool maps>
-    SampleLines<maps>& samples_for() {
-        if constexpr (maps)
-            return samples_with_maps;
-        else
-            return samples;
-    }
-    raster::fast::Workers& workers_for(int threads) {
+    void fit(int threads) {
+        while (static_cast<int>(rows.size()) < threads) rows.push_back(make_warped_row());
         if (!workers || threads_ != threads)
             workers = std::make_unique<raster::fast::Workers>(threads, false), threads_ = threads;
-        return *workers;
     }
 
   private:

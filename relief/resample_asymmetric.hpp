@@ -5,12 +5,12 @@
 //
 // Exact for what is planar between A and B, at the price of one more number a sample.
 #pragma once
-#include "relief/resample_two_passes.hpp"
+#include "relief/resample_picture.hpp"
 
 namespace relevo::relief {
 
 struct AsymmetricMethod {
-    static constexpr bool carries_row = true;
+    static constexpr bool carries_row = true, keeps_all = false;
     template <bool maps>
     static void adjust(RowSample<maps>&, const Carried<maps>&, const Carried<maps>&, Scalar,
                        const DepthWarp&) {}

@@ -5,11 +5,20 @@
 // before, never to one another, and there to the one that is nearest in depth: so sheets of the surface
 // stay apart.
 #pragma once
-#include <span>
-
 #include "relief/resample_row.hpp"
 
 namespace relevo::relief {
+
+// Columns first..last-1 of the result become empty.
+inline void clear_columns(Prewarped& result, int first, int last) {
+    const auto clear = [&](auto& image) {
+        for (int y = 0; y < image.height(); ++y) {
+            auto* const row = image.row(y);
+            std::fill(row + first, row + last, std::remove_reference_t<decltype(*row)>{});
+        }
+    };
+    clear(result.coverage), clear(result.kind), clear(result.writes);
+}
 
 // Writes pixels of the result.
 template <bool maps>
@@ -60,19 +69,16 @@ class ColumnResampler {
         raster::Span span{0, 0};  // columns outside have no sample
         SampleLine<maps> samples;
 
-        // Takes memory of its own, for rows that may fold.
-        void own(int columns) {
-            own_.fit(2 * columns, 1), samples = own_.clear_row(0);
-            make_room(columns, 2 * columns);
+        explicit Line(int columns) : memory_(2 * columns), columns_(columns), size_(columns) {
+            samples = memory_.line();
+            make_room();
         }
-        // Borrows `samples`, at most one a column.
-        void borrow(int columns) { make_room(columns, columns); }
 
         // One more sample of column x, which has one already.
         [[gnu::noinline]] void add(int x, const RowSample<maps>& sample) {
-            if (size_ == own_.width()) {
-                own_.widen(), samples = own_.row(0);
-                make_room(columns_, own_.width());
+            if (size_ == memory_.size()) {
+                memory_.widen(), samples = memory_.line();
+                make_room();
             }
             const int i = size_++;
             next_[std::size_t(samples.count[x] == 1 ? x : last_[std::size_t(x)])] = i;
@@ -87,10 +93,10 @@ class ColumnResampler {
 
       private:
         friend ColumnResampler;
-        void make_room(int columns, int size) {
-            columns_ = columns, size_ = std::max(size_, columns);
-            pixel_.resize(std::size_t(size)), partner_.resize(std::size_t(size));
-            next_.resize(std::size_t(size), -1), last_.resize(std::size_t(columns));
+        void make_room() {
+            const std::size_t room = std::size_t(memory_.size());
+            pixel_.resize(room), partner_.resize(room), next_.resize(room, -1);
+            last_.resize(std::size_t(columns_));
         }
         void find_pixels(Scalar height) {
             const Scalar* const v = samples.v;
@@ -103,8 +109,8 @@ class ColumnResampler {
         int next_of(int i) const { return next_[std::size_t(i)]; }
         Scalar depth(int i) const { return samples.carried[i].depth(); }
 
-        SampleLines<maps> own_;
-        int columns_ = 0, size_ = 0;
+        SampleMemory<maps> memory_;
+        int columns_, size_;
         std::vector<Scalar> pixel_;  // first_pixel(v), of every sample
         std::vector<int> partner_;   // the sample of the other row with which it is connected; -1: none
         std::vector<int> next_;      // the next sample of the same column; -1: none
@@ -112,7 +118,7 @@ class ColumnResampler {
     };
 
     ColumnResampler(const PreparedRelief& relief, const DepthWarp& warp, const Painter<maps>& painter,
-                    const Window& window, int first, int last, bool folds)
+                    const Window& window, int first, int last)
         : warp_(warp),
           cut_(relief.jump == Jump::Cut),
           jump_depth_(relief.jump_depth),
@@ -120,17 +126,15 @@ class ColumnResampler {
           y0_(static_cast<Scalar>(window.y0)),
           height_(static_cast<Scalar>(window.height)),
           first_(first),
+          before_(last - first),
+          now_(last - first),
           work_(std::size_t(last - first)),
           from_(std::size_t(last - first)),
-          share_(std::size_t(last - first)) {
-        for (Line* const line : {&before_, &now_})
-            folds ? line->own(last - first) : line->borrow(last - first);
-    }
+          share_(std::size_t(last - first)) {}
 
-    // The next of all row_steps(). feed_row(y, line) fills a line with the samples of row y of the source, or
-    // shows it where they are; what it shows must stay until the step after the next.
+    // feed_row(y, line) fills a line, in which are the samples of an older row, with those of row y.
     template <class FeedRow>
-    void run(std::span<const RowStep> steps, FeedRow&& feed_row) {
+    void run(const std::vector<RowStep>& steps, FeedRow&& feed_row) {
         for (const RowStep& step : steps) {
             feed_row(step.row, now_);
             now_.find_pixels(height_);

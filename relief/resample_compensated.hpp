@@ -8,12 +8,12 @@
 // printed form does; and it is nothing else but perspective-correct interpolation, which all that is
 // carried undergoes (carried.hpp).
 #pragma once
-#include "relief/resample_two_passes.hpp"
+#include "relief/resample_picture.hpp"
 
 namespace relevo::relief {
 
 struct CompensatedMethod {
-    static constexpr bool carries_row = false;
+    static constexpr bool carries_row = false, keeps_all = false;
     template <bool maps>
     static void adjust(RowSample<maps>&, const Carried<maps>&, const Carried<maps>&, Scalar,
                        const DepthWarp&) {}

@@ -29,13 +29,15 @@ class MeshResampler {
           window_(result.window),
           painter_(result, true),
           upper_(make_warped_row()),
-          lower_(make_warped_row()) {}
+          lower_(make_warped_row()) {
+        clear_columns(result, 0, window_.width);
+    }
 
     void run() {
         const int height = relief_.camera.height;
         for (int y = -1; y < height; ++y) {  // cells between the rows y and y + 1
             std::swap(upper_, lower_);
-            if (y + 1 < height) warp_row(relief_, warp_, window_, y + 1, *lower_);
+            if (y + 1 < height) warp_row(relief_, warp_, window_, whole(window_), y + 1, *lower_);
             for (int x = -1; x < relief_.camera.width; ++x) draw_cell(x, y);
         }
     }

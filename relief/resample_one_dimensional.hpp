@@ -7,12 +7,12 @@
 // neighbours of a smooth surface, up to 25 texels where a skin is stretched across a step of depth:
 // straight edges bend. All other numbers are interpolated as by the other methods.
 #pragma once
-#include "relief/resample_two_passes.hpp"
+#include "relief/resample_picture.hpp"
 
 namespace relevo::relief {
 
 struct OneDimensionalMethod {
-    static constexpr bool carries_row = false;
+    static constexpr bool carries_row = false, keeps_all = false;
     template <bool maps>
     static void adjust(RowSample<maps>& sample, const Carried<maps>& a, const Carried<maps>& b, Scalar t,
                        const DepthWarp& warp) {

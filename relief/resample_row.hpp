@@ -2,6 +2,7 @@
 // pixel columns between them.
 #pragma once
 #include <cstring>
+#include <limits>
 #include <memory>
 
 #include "relief/resample_line.hpp"
@@ -18,9 +19,10 @@ namespace relevo::relief {
 struct WarpedRow {
     static constexpr int length = pipeline::max_picture_size + 16;
     int y = -1;                   // of the source
+    raster::Span texels{0, 0};    // of the row: those that are here
     Scalar u[length], v[length];  // where each texel goes
     Scalar weight[length];        // h / (h + d)
-    Scalar column[length];        // first_pixel(u)
+    Scalar column[length];        // first_pixel(u), within the band
 
     // Between texel k and the next, as if they hung together. All gaps are treated alike, four side by side,
     // which costs less than to ask which of them matter.
@@ -33,30 +35,80 @@ struct WarpedRow {
 };
 inline std::unique_ptr<WarpedRow> make_warped_row() { return std::unique_ptr<WarpedRow>(new WarpedRow); }
 
-inline void warp_row(const PreparedRelief& relief, const Warp& warp, const Window& window, int y,
-                     WarpedRow& row) {
+// Columns first..last-1 of the window: those whose samples are wanted.
+struct Band {
+    int first, last;
+};
+inline Band whole(const Window& window) { return {0, window.width}; }
+
+// The texels of row y from the first group of which a centre or a half that sticks out may come to a column
+// of the band to the last, and a neighbour on either side. A group lies between the places to which its least
+// and its largest parameter take its first and its last texel: in rounded numbers, too, because rounding
+// keeps the order of sums and of products.
+inline raster::Span texels_for(const Band& band, const PreparedRelief& relief, const Warp& warp,
+                               const Window& window, int y) {
+    const raster::Span covered = relief.covered[std::size_t(y)];
+    if (covered.x0 >= covered.x1 || (band.first == 0 && band.last == window.width)) return covered;
+    const Scalar k1 = static_cast<Scalar>(warp.k1), k3 = static_cast<Scalar>(warp.k3),
+                 x0 = static_cast<Scalar>(window.x0), width = static_cast<Scalar>(window.width),
+                 infinity = std::numeric_limits<Scalar>::infinity();
+    const auto may_come = [&](int group) {
+        const auto [least, largest] = relief.parameters.at(group, y);
+        if (least > largest) return false;  // no surface
+        const Scalar w_a = 1 / (1 + k3 * least), w_b = 1 / (1 + k3 * largest), shift_a = k1 * least,
+                     shift_b = k1 * largest;
+        if (!(w_a > 0 && w_a < infinity && w_b > 0 && w_b < infinity)) return true;
+        const Scalar from = static_cast<Scalar>(group * group_of_texels) + std::min(shift_a, shift_b),
+                     to = static_cast<Scalar>((group + 1) * group_of_texels) + std::max(shift_a, shift_b);
+        const Scalar lowest = std::min(from * w_a, from * w_b) - x0,
+                     highest = std::max(to * w_a, to * w_b) - x0;
+        if (!(highest - lowest < infinity)) return true;
+        return first_pixel(lowest, width) < static_cast<Scalar>(band.last) &&
+               first_pixel(highest, width) > static_cast<Scalar>(band.first);
+    };
+    int first = covered.x0 / group_of_texels, last = (covered.x1 - 1) / group_of_texels;
+    while (first <= last && !may_come(first)) ++first;
+    while (first <= last && !may_come(last)) --last;
+    if (first > last) return {covered.x0, covered.x0};
+    return {std::max(first * group_of_texels - 1, covered.x0),
+            std::min((last + 1) * group_of_texels + 1, covered.x1)};
+}
+
+inline void warp_row(const PreparedRelief& relief, const Warp& warp, const Window& window, const Band& band,
+                     int y, WarpedRow& row) {
     const Scalar k1 = static_cast<Scalar>(warp.k1), k2 = static_cast<Scalar>(warp.k2),
                  k3 = static_cast<Scalar>(warp.k3), at_v = static_cast<Scalar>(y) + Scalar(0.5),
                  x0 = static_cast<Scalar>(window.x0), y0 = static_cast<Scalar>(window.y0),
-                 width = static_cast<Scalar>(window.width),
+                 width = static_cast<Scalar>(window.width), first = static_cast<Scalar>(band.first),
+                 last = static_cast<Scalar>(band.last),
                  perspective = warp.projection == Projection::Perspective ? 1 : 0;
     const Scalar* const parameter = relief.parameter.row(y);
-    const raster::Span covered = relief.covered[std::size_t(y)];
-    row.y = y;
-    for (int x = covered.x0; x < covered.x1; ++x) {
+    const raster::Span texels = texels_for(band, relief, warp, window, y);
+    row.y = y, row.texels = texels;
+    for (int x = texels.x0; x < texels.x1; ++x) {
         const Scalar q = parameter[x], w = 1 / (1 + k3 * q);
         row.u[x] = ((static_cast<Scalar>(x) + Scalar(0.5)) + k1 * q) * w - x0;
         row.v[x] = (at_v + k2 * q) * w - y0;
         row.weight[x] = (1 + perspective * q) * w;
     }
-    for (int x = covered.x0; x < covered.x1; ++x) row.column[x] = first_pixel(row.u[x], width);
+    for (int x = texels.x0; x < texels.x1; ++x)
+        row.column[x] = std::clamp(first_pixel(row.u[x], width), first, last);
 }
 
-// The numbers of the gaps covered.x0-1..covered.x1-1; the first and the last of them stick out. A skin that
-// folds back is not drawn: it hangs behind the sheet from whose border it comes.
+// The numbers of the gaps between the texels of the row, less those at its ends that have no sample in the
+// band; the gaps beyond the ends matter only where the row's surface ends there. A skin that folds back is
+// not drawn: it hangs behind the sheet from whose border it comes.
 inline void sample_gaps(const Gap* gaps, raster::Span covered, WarpedRow& row) {
-    const int last = covered.x1 - 1;
-    for (int k = covered.x0; k < last; ++k) {
+    raster::Span& texels = row.texels;
+    const auto is_idle = [&](int k) {
+        return row.column[k] == row.column[k + 1] && (gaps[k] >= Gap::Joined || gaps[k] == Gap::Empty);
+    };
+    if (texels.x0 > covered.x0)
+        while (texels.x0 < texels.x1 - 1 && is_idle(texels.x0)) ++texels.x0;
+    if (texels.x1 < covered.x1)
+        while (texels.x0 < texels.x1 - 1 && is_idle(texels.x1 - 2)) --texels.x1;
+    const int first = texels.x0, last = texels.x1 - 1;
+    for (int k = first; k < last; ++k) {
         row.from[k] = std::min(row.column[k], row.column[k + 1]);
         const int columns = static_cast<int>(row.column[k + 1] - row.column[k]),
                   samples = std::min(std::abs(columns), 2);
@@ -64,8 +116,9 @@ inline void sample_gaps(const Gap* gaps, raster::Span covered, WarpedRow& row) {
         const int drawn = (folds & is_skin) ? 0 : samples, sticks_out = gaps[k] == Gap::Empty ? 0 : 2;
         row.work[k + 1] = static_cast<WarpedRow::Work>(gaps[k] >= Gap::Joined ? drawn : sticks_out);
     }
-    row.work[covered.x0] = row.work[covered.x1] = WarpedRow::More;
-    for (int k = covered.x0; k < last; ++k) {
+    row.work[first] = first == covered.x0 ? WarpedRow::More : WarpedRow::None;
+    row.work[last + 1] = last + 1 == covered.x1 ? WarpedRow::More : WarpedRow::None;
+    for (int k = first; k < last; ++k) {
         const Scalar at = row.from[k] + Scalar(0.5), t = (at - row.u[k]) * (1 / (row.u[k + 1] - row.u[k])),
                      weight = row.weight[k] + t * (row.weight[k + 1] - row.weight[k]);
         row.t[k] = t, row.sample_weight[k] = weight;
@@ -84,7 +137,7 @@ struct RowSample {
 };
 
 // The samples of a row by pixel column, each kind of number in a line of its own: of every column the
-// sample that is in it, or the first of several. The memory is the owner's.
+// sample that is in it, or the first of several. The memory is a SampleMemory's.
 template <bool maps>
 struct SampleLine {
     std::uint8_t* count;  // of the samples of a column; 2: or more
@@ -97,8 +150,10 @@ struct SampleLine {
         v[x] = sample.v, weight[x] = sample.weight;
         if constexpr (maps) kind[x] = sample.kind;
     }
-    SampleLine from(int x) const {
-        return {count + x, carried + x, v + x, weight + x, maps ? kind + x : kind};
+    // Kind::Empty: there is none.
+    RowSample<maps> at(int x) const {
+        if (count[x] == 0) return {};
+        return {carried[x], v[x], weight[x], maps ? kind[x] : Kind::Sampled};
     }
 };
 
@@ -117,62 +172,35 @@ inline raster::Span occupied(const std::uint8_t* count, int columns) {
     return span;
 }
 
-// Many of them, one below the other. What a row holds is undefined until it is cleared.
+// The memory of a line.
 template <bool maps>
-class SampleLines {
+class SampleMemory {
   public:
-    // Takes new memory only for a larger picture than all before.
-    void fit(int width, int height) {
-        width_ = width, height_ = height;
-        if (size() > room_) *this = SampleLines(width, height, size());
+    SampleMemory() = default;
+    // No column has a sample.
+    explicit SampleMemory(int size)
+        : size_(size),
+          count_(new std::uint8_t[std::size_t(size)]{}),
+          carried_(new Carried<maps>[std::size_t(size)]),
+          v_(new Scalar[std::size_t(size)]{}),
+          weight_(new Scalar[std::size_t(size)]{}),
+          kind_(maps ? new Kind[std::size_t(size)] : nullptr) {}
+    int size() const { return size_; }
+    SampleLine<maps> line() const {
+        return {count_.get(), carried_.get(), v_.get(), weight_.get(), kind_.get()};
     }
-    int width() const { return width_; }
-    int height() const { return height_; }
-    SampleLine<maps> row(int y) const {
-        const std::size_t i = std::size_t(y) * std::size_t(width_);
-        return {count_.get() + i, carried_.get() + i, v_.get() + i, weight_.get() + i,
-                maps ? kind_.get() + i : nullptr};
-    }
-    SampleLine<maps> clear_row(int y) {
-        const SampleLine<maps> line = row(y);
-        std::fill_n(line.count, width_, std::uint8_t{0});
-        std::fill_n(line.v, width_, Scalar(0)), std::fill_n(line.weight, width_, Scalar(0));
-        return line;
-    }
-    // Makes the only row of a picture twice as wide; what it holds stays.
+    // Twice as long; what it holds stays.
     void widen() {
-        assert(height_ == 1);
-        SampleLines wider(2 * width_, 1, 2 * size());
-        const SampleLine<maps> from = row(0), to = wider.clear_row(0);
-        for (int x = 0; x < width_; ++x)
-            to.count[x] = from.count[x],
-            to.set(x, {from.carried[x], from.v[x], from.weight[x], maps ? from.kind[x] : Kind::Sampled});
+        SampleMemory wider(2 * size_);
+        const SampleLine<maps> from = line(), to = wider.line();
+        for (int i = 0; i < size_; ++i)
+            to.count[i] = from.count[i],
+            to.set(i, {from.carried[i], from.v[i], from.weight[i], maps ? from.kind[i] : Kind::Sampled});
         *this = std::move(wider);
     }
-    // Kind::Empty: there is none.
-    RowSample<maps> at(int x, int y) const {
-        assert(0 <= x && x < width_ && 0 <= y && y < height_);
-        const SampleLine<maps> line = row(y).from(x);
-        if (*line.count == 0) return {};
-        return {*line.carried, *line.v, *line.weight, maps ? *line.kind : Kind::Sampled};
-    }
-
-    SampleLines() = default;
 
   private:
-    SampleLines(int width, int height, std::size_t room)
-        : width_(width),
-          height_(height),
-          room_(room),
-          count_(new std::uint8_t[room]),
-          carried_(new Carried<maps>[room]),
-          v_(new Scalar[room]),
-          weight_(new Scalar[room]),
-          kind_(maps ? new Kind[room] : nullptr) {}
-    std::size_t size() const { return std::size_t(width_) * std::size_t(height_); }
-
-    int width_ = 0, height_ = 0;
-    std::size_t room_ = 0;
+    int size_ = 0;
     std::unique_ptr<std::uint8_t[]> count_;
     std::unique_ptr<Carried<maps>[]> carried_;
     std::unique_ptr<Scalar[]> v_, weight_;
@@ -222,7 +250,8 @@ template <bool maps, class Method, class Emit>
 // The samples from texel k half a texel to the left (side -1) or to the right (1).
 template <bool maps, class Method, class Emit>
 [[gnu::noinline]] void stick_out_of_row(const PreparedRelief& relief, WarpedRow& row, int k, int side,
-                                        const DepthWarp& warp, const Window& window, Emit& emit) {
+                                        const DepthWarp& warp, const Window& window, const Band& band,
+                                        Emit& emit) {
     const Carried<maps> c = carried_by<maps>(relief.carried.row(row.y)[k], k, row.y);
     Carried<maps> end = c;
     const Scalar depth = depth_beyond(c.depth(), relief.growth_u.row(row.y)[k]),
@@ -232,7 +261,9 @@ template <bool maps, class Method, class Emit>
                  v = warped_v(static_cast<Scalar>(row.y) + Scalar(0.5), depth, warp) -
                      static_cast<Scalar>(window.y0);
     end.set_depth(depth);
-    const Scalar column = row.column[k], beyond = first_pixel(u, static_cast<Scalar>(window.width));
+    const Scalar column = row.column[k],
+                 beyond = std::clamp(first_pixel(u, static_cast<Scalar>(window.width)),
+                                     static_cast<Scalar>(band.first), static_cast<Scalar>(band.last));
     if (static_cast<Scalar>(side) * (beyond - column) <= 0) return;  // folds back
     sample_between<maps, Method>({c, row.u[k], row.v[k], row.weight[k], column}, {end, u, v, weight, beyond},
                                  false, warp, emit);
@@ -240,15 +271,15 @@ template <bool maps, class Method, class Emit>
 
 // The samples of a row in the order of painting: emit(x, sample) for one in pixel column x, where
 // sample() computes it. Method: what is interpolated how
-// (resample_two_passes.hpp).
+// (resample_picture.hpp).
 template <bool maps, class Method, class Emit>
 void resample_row(const PreparedRelief& relief, WarpedRow& row, const DepthWarp& warp,
-                  const OcclusionOrder& order, const Window& window, Emit emit) {
-    const raster::Span covered = relief.covered[std::size_t(row.y)];
-    if (covered.x0 >= covered.x1) return;
+                  const OcclusionOrder& order, const Window& window, const Band& band, Emit emit) {
+    if (row.texels.x0 >= row.texels.x1) return;
     const Gap* const gaps = relief.gap.row(row.y) + 1;
     const Carried<false>* const carried = relief.carried.row(row.y);
-    sample_gaps(gaps, covered, row);
+    sample_gaps(gaps, relief.covered[std::size_t(row.y)], row);
+    const raster::Span texels = row.texels;
     const int y = row.y;
     // the first sample of a connection
     const auto first_sample = [&](int k) {
@@ -263,8 +294,8 @@ void resample_row(const PreparedRelief& relief, WarpedRow& row, const DepthWarp&
         Method::adjust(sample, a, b, row.t[k], warp);
         return sample;
     };
-    for (const Run& run : gap_runs(order.u - covered.x0, covered.x1 - covered.x0, order.toward)) {
-        std::ptrdiff_t at = run.first + covered.x0;
+    for (const Run& run : gap_runs(order.u - texels.x0, texels.x1 - texels.x0, order.toward)) {
+        std::ptrdiff_t at = run.first + texels.x0;
         for (int left = run.count; left > 0; --left, at += run.step) {
             const int k = static_cast<int>(at);
             const WarpedRow::Work work = row.work[k + 1];
@@ -282,9 +313,9 @@ void resample_row(const PreparedRelief& relief, WarpedRow& row, const DepthWarp&
                     gap == Gap::Across, warp, emit);
             } else {
                 if (gap != Gap::BeforeSecond)
-                    stick_out_of_row<maps, Method>(relief, row, k, 1, warp, window, emit);
+                    stick_out_of_row<maps, Method>(relief, row, k, 1, warp, window, band, emit);
                 if (gap != Gap::AfterFirst)
-                    stick_out_of_row<maps, Method>(relief, row, k + 1, -1, warp, window, emit);
+                    stick_out_of_row<maps, Method>(relief, row, k + 1, -1, warp, window, band, emit);
             }
         }
     }

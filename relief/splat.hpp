@@ -9,12 +9,13 @@ template <bool maps>
 void splat(const PreparedRelief& relief, const Warp& warp, const PrewarpSettings& settings,
            Prewarped& result) {
     const Window& window = result.window;
+    clear_columns(result, 0, window.width);
     const Painter<maps> painter(result, settings.depth_test);
     const Scalar width = static_cast<Scalar>(window.width), height = static_cast<Scalar>(window.height);
     const std::unique_ptr<WarpedRow> row = make_warped_row();
     for_each_in_order(occlusion_order(warp, settings.painting), relief.camera.width, relief.camera.height,
                       [&](int x, int y) {
-                          if (row->y != y) warp_row(relief, warp, window, y, *row);
+                          if (row->y != y) warp_row(relief, warp, window, whole(window), y, *row);
                           const Scalar u = row->u[x], v = row->v[x];
                           if (!is_covered(relief, x, y) || !(u >= 0 && u < width && v >= 0 && v < height))
                               return;

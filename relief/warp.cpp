@@ -30,11 +30,13 @@ Result<Sight> sight(const ReliefCamera& camera, const Viewer& viewer) {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 double height(const Sight& s) { return s.w > 0 ? s.distance / s.w : infinity; }
-double height_of_source(const ReliefCamera& camera, const dvec3& f) {
-    return camera.projection == Projection::Perspective ? dot(camera.corner - camera.eye, f) : infinity;
-}
 
 }  // namespace
+
+double height_of_source(const ReliefCamera& camera) {
+    return camera.projection == Projection::Perspective ? dot(camera.corner - camera.eye, forward(camera))
+                                                        : infinity;
+}
 
 Result<Warp> make_warp(const ReliefCamera& camera, const Viewer& viewer) {
     const auto found = sight(camera, viewer);
@@ -44,7 +46,7 @@ Result<Warp> make_warp(const ReliefCamera& camera, const Viewer& viewer) {
     const dvec3 &a = camera.a, &b = camera.b, ab = cross(a, b), bc = cross(b, c), ca = cross(c, a);
     const auto warp = [&](const dvec3& across, double k3) {
         return Warp{camera.projection, dot(across, bc) / dot(a, bc), dot(across, ca) / dot(b, ca), k3,
-                    height(*found),    height_of_source(camera, f)};
+                    height(*found),    height_of_source(camera)};
     };
     if (camera.projection == Projection::Orthographic) return warp(f, w * dot(f, ab) / dot(c, ab));
     const dvec3 d = w * camera.eye - dvec3(viewer.place);
@@ -59,7 +61,7 @@ Result<Warp> make_warp_along_axes(const ReliefCamera& camera, const Viewer& view
     const dvec3 &a = camera.a, &b = camera.b;
     if (std::abs(dot(a, b)) > 1e-9 * std::sqrt(dot(a, a) * dot(b, b)))
         return Error{"the axes of the relief texture are skewed: this form of the warp needs a.b = 0"};
-    const double source_h = height_of_source(camera, f);
+    const double source_h = height_of_source(camera);
     if (camera.projection == Projection::Orthographic)
         return Warp{camera.projection,
                     -dot(c, a) / dot(a, a) / distance,

@@ -34,6 +34,8 @@ struct Warp {
     double h;         // from the viewer to the plane along f, world units; infinite at infinity
     double source_h;  // from the eye S to the plane; infinite for an orthographic source
 };
+// From the eye of a perspective camera to its plane, along f; infinite for an orthographic one.
+double height_of_source(const ReliefCamera& camera);
 
 // The constants from triple products: any axes, also skewed ones.
 Result<Warp> make_warp(const ReliefCamera& camera, const Viewer& viewer);

@@ -89,9 +89,9 @@ StagePage draw_relief_rows(const ReliefView& view, const Heading& heading) {
     Image<std::uint8_t> coverage(width, height);
     const relief::PrewarpSettings settings = view.settings_with(Resampler::Asymmetric);
     relief::PrewarpMemory::Parts memory;
-    resample_two_passes<true>(relief::AsymmetricMethod{},
-                              prepare(view.texture(), settings.jump, settings.jump_depth), view.warp,
-                              settings, picture, memory, RowKeeper{color, depth, coverage});
+    resample_picture<true>(relief::AsymmetricMethod{},
+                           prepare(view.texture(), settings.jump, settings.jump_depth), view.warp, settings,
+                           picture, memory, RowKeeper{color, depth, coverage});
     const relief::ReliefTexture& source = view.texture();
     const raster::Output output = view.loaded->settings.output;
     const PanelBlock passes{

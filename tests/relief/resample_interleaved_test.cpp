@@ -17,7 +17,7 @@ struct Listener {
         samples.push_back({sent.x, sent.row});
         right &= sent.sample.kind == Kind::Sampled && (rows.empty() || rows.back() != sent.row);
     }
-    void on(const RowSent& sent) { rows.push_back(sent.row); }
+    void on(const RowResampled<false>& sent) { rows.push_back(sent.row); }
 };
 
 // Without displacement each texel is sent once to its own column each time its row is; rows come towards the
@@ -35,7 +35,8 @@ TEST(ResampleInterleaved, SendsRowsTowardsTheEpipole) {
     prewarp(prepared, warp, source_window(camera), settings, heard);
     std::fill(heard.color.pixels().begin(), heard.color.pixels().end(), LinearRgb{});
     Listener listener;
-    resample_interleaved<false>(prepared, warp, settings, heard, listener);
+    PrewarpMemory memory;
+    resample_picture<false>(InterleavedMethod{}, prepared, warp, settings, heard, memory.parts(), listener);
     EXPECT_TRUE(plain.color.pixels() == heard.color.pixels());
     EXPECT_TRUE(listener.right);
 

@@ -133,7 +133,7 @@ void run_rows(const ReliefSubject& s, Method method, Resampler resampler, RowsKe
     Prewarped picture;
     PrewarpMemory memory;
     prewarp(prepared, s.warp, s.window, settings, picture, memory);
-    resample_two_passes<true>(method, prepared, s.warp, settings, picture, memory.parts(), keeper);
+    resample_picture<true>(method, prepared, s.warp, settings, picture, memory.parts(), keeper);
 }
 
 Rgba8 kind_color(Kind kind) {
