@@ -80,7 +80,8 @@ PreparedRelief prepare(const ReliefTexture& texture, Jump jump, Scalar jump_dept
     };
 
     using Parameters = PreparedRelief::Parameters;
-    const int groups = (width + group_of_texels - 1) / group_of_texels;
+    const int blocks_in_row = (width + block_width - 1) / block_width,
+              rows_of_blocks = (height + block_height - 1) / block_height;
     PreparedRelief relief{texture.camera,
                           jump,
                           jump_depth,
@@ -89,7 +90,7 @@ PreparedRelief prepare(const ReliefTexture& texture, Jump jump, Scalar jump_dept
                           {width, height},
                           {width + 1, height},
                           {width, height},
-                          {groups, height, Parameters{infinity, -infinity}}};
+                          {blocks_in_row, rows_of_blocks, Parameters{infinity, -infinity}}};
     const Scalar inverse_source_h = static_cast<Scalar>(1 / height_of_source(texture.camera));
     for (int y = 0; y < height; ++y) {
         raster::Span& span = relief.covered.emplace_back(raster::Span{width, 0});
@@ -104,7 +105,7 @@ PreparedRelief prepare(const ReliefTexture& texture, Jump jump, Scalar jump_dept
             relief.parameter.at(x, y) = perspective ? texture.depth.at(x, y) - 1 : here;
             relief.carried.at(x, y) = {{Four{c.r, c.g, c.b, here}, Four{n.x, n.y, n.z, growth_v}}};
             const Scalar growth_u = relief.growth_u.at(x, y) = growth_along(x, y, 1, 0);
-            auto& [least, largest] = relief.parameters.at(x / group_of_texels, y);
+            auto& [least, largest] = relief.parameters.at(x / block_width, y / block_height);
             for (const Scalar q :
                  {relief.parameter.at(x, y), parameter_at(depth_beyond(here, growth_u), inverse_source_h)}) {
                 least = std::min(least, std::isfinite(q) ? q : -infinity);

@@ -66,7 +66,7 @@ struct Prewarped {
 // A relief texture laid out for warping. It depends on no viewer: made once, it serves all warps. What a
 // resampler reads together lies together; which neighbours hang together, and how the surface goes on
 // where it ends (resample_line.hpp), is known beforehand.
-inline constexpr int group_of_texels = 32;  // of a row
+inline constexpr int block_width = 16, block_height = 8;  // in texels
 struct PreparedRelief {
     ReliefCamera camera;
     Jump jump;
@@ -76,8 +76,8 @@ struct PreparedRelief {
     Image<Carried<false>> carried;
     Image<Gap> gap;          // (k + 1, y): between the texels k and k + 1 of row y
     Image<Scalar> growth_u;  // of the depth beyond the last texel of a run of the row
-    // Of each group of texels of a row, with the half texels that stick out along it; infinite where one is
-    // not finite, least > largest where there is no surface.
+    // Of each block of texels, with the half texels that stick out of its rows; infinite where one is not
+    // finite, least > largest where there is no surface.
     struct Parameters {
         Scalar least, largest;
     };

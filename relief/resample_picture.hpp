@@ -44,17 +44,19 @@ struct RowResampled {
 inline std::vector<int> cuts_between_bands(const PreparedRelief& relief, const Warp& warp,
                                            const Window& window, int bands, WarpedRow& row) {
     if (bands == 1) return {0, window.width};
-    constexpr int every = 32;  // row is asked
+    const int every = std::max(relief.camera.height / 16, 1);  // row is asked
     std::vector<std::int64_t> work(std::size_t(window.width) + 1);
+    row.y = -1;
     for (int y = every / 2; y < relief.camera.height; y += every) {
         warp_row(relief, warp, window, whole(window), y, row);
         const Gap* const gaps = relief.gap.row(y) + 1;
-        for (int k = row.texels.x0; k < row.texels.x1; ++k) {
-            const int column = static_cast<int>(row.column[k]);
-            ++work[std::size_t(column)];
-            if (sticks_out(gaps[k])) continue;
-            for (int x = column; x < static_cast<int>(row.column[k + 1]); ++x) work[std::size_t(x)] += 3;
-        }
+        for (const raster::Span& texels : row.wanted)
+            for (int k = texels.x0; k < texels.x1; ++k) {
+                const int column = static_cast<int>(row.column[k]);
+                ++work[std::size_t(column)];
+                if (sticks_out(gaps[k])) continue;
+                for (int x = column; x < static_cast<int>(row.column[k + 1]); ++x) work[std::size_t(x)] += 3;
+            }
     }
     const std::int64_t all = std::accumulate(work.begin(), work.end(), std::int64_t{0});
     std::vector<int> cuts{0};
@@ -83,6 +85,7 @@ void resample_picture(Method, const PreparedRelief& relief, const Warp& warp, co
         if (band.first == band.last) return;
         clear_columns(result, band.first, band.last);
         WarpedRow& row = *memory.rows[std::size_t(i)];
+        row.y = -1;
         ColumnResampler<maps> columns(relief, constants, Painter<maps>(result, settings.depth_test), window,
                                       band.first, band.last);
         columns.run(steps, [&](int y, typename ColumnResampler<maps>::Line& line) {

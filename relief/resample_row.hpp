@@ -9,8 +9,8 @@
 
 namespace relevo::relief {
 
-// One row of the source after the warp, between its first and its last surface. Places are in pixels of
-// the window. Empty texels are warped with the rest, as if they lay on the plane: no branch, and nothing
+// One row of the source after the warp: those parts of it that are wanted. Places are in pixels of the
+// window. Empty texels are warped with the rest, as if they lay on the plane: no branch, and nothing
 // undefined.
 //
 // Lines of a fixed length, so that one register finds them all and compilers see that they do not overlap;
@@ -18,11 +18,16 @@ namespace relevo::relief {
 // stack.
 struct WarpedRow {
     static constexpr int length = pipeline::max_picture_size + 16;
-    int y = -1;                   // of the source
-    raster::Span texels{0, 0};    // of the row: those that are here
-    Scalar u[length], v[length];  // where each texel goes
-    Scalar weight[length];        // h / (h + d)
-    Scalar column[length];        // first_pixel(u), within the band
+    int y = -1;                        // of the source; -1: none of this warp and this band
+    std::vector<raster::Span> wanted;  // texels of the row: those that are here; no two spans touch
+    Scalar u[length], v[length];       // where each texel goes
+    Scalar weight[length];             // h / (h + d)
+    Scalar column[length];             // first_pixel(u), within the band
+
+    // Of the row of blocks to which row y belongs.
+    std::vector<raster::Span> blocks;  // texels that may be wanted
+    static constexpr int most_blocks = length / block_width + 1;
+    Scalar lowest[most_blocks], highest[most_blocks], least_w[most_blocks];  // between which places each lies
 
     // Between texel k and the next, as if they hung together. All gaps are treated alike, four side by side,
     // which costs less than to ask which of them matter.
@@ -41,37 +46,56 @@ struct Band {
 };
 inline Band whole(const Window& window) { return {0, window.width}; }
 
-// The texels of row y from the first group of which a centre or a half that sticks out may come to a column
-// of the band to the last, and a neighbour on either side. A group lies between the places to which its least
+// The texels of a row of blocks that may have to do with a band: the blocks within, with a neighbour on
+// either side, and the two texels at which a block on its left meets one on its right. With the whole window,
+// all blocks with a surface.
+//
+// The centres of a block and the halves that stick out of its rows lie between the places to which its least
 // and its largest parameter take its first and its last texel: in rounded numbers, too, because rounding
 // keeps the order of sums and of products.
-inline raster::Span texels_for(const Band& band, const PreparedRelief& relief, const Warp& warp,
-                               const Window& window, int y) {
-    const raster::Span covered = relief.covered[std::size_t(y)];
-    if (covered.x0 >= covered.x1 || (band.first == 0 && band.last == window.width)) return covered;
+inline void find_blocks(const Band& band, const PreparedRelief& relief, const Warp& warp,
+                        const Window& window, int row_of_blocks, WarpedRow& row) {
     const Scalar k1 = static_cast<Scalar>(warp.k1), k3 = static_cast<Scalar>(warp.k3),
                  x0 = static_cast<Scalar>(window.x0), width = static_cast<Scalar>(window.width),
                  infinity = std::numeric_limits<Scalar>::infinity();
-    const auto may_come = [&](int group) {
-        const auto [least, largest] = relief.parameters.at(group, y);
-        if (least > largest) return false;  // no surface
-        const Scalar w_a = 1 / (1 + k3 * least), w_b = 1 / (1 + k3 * largest), shift_a = k1 * least,
-                     shift_b = k1 * largest;
-        if (!(w_a > 0 && w_a < infinity && w_b > 0 && w_b < infinity)) return true;
-        const Scalar from = static_cast<Scalar>(group * group_of_texels) + std::min(shift_a, shift_b),
-                     to = static_cast<Scalar>((group + 1) * group_of_texels) + std::max(shift_a, shift_b);
-        const Scalar lowest = std::min(from * w_a, from * w_b) - x0,
-                     highest = std::max(to * w_a, to * w_b) - x0;
-        if (!(highest - lowest < infinity)) return true;
-        return first_pixel(lowest, width) < static_cast<Scalar>(band.last) &&
-               first_pixel(highest, width) > static_cast<Scalar>(band.first);
+    const bool everywhere = band.first == 0 && band.last == window.width;
+    const PreparedRelief::Parameters* const blocks = relief.parameters.row(row_of_blocks);
+    const int count = relief.parameters.width();
+    for (int i = 0; i < (everywhere ? 0 : count); ++i) {
+        const Scalar least = blocks[i].least, largest = blocks[i].largest, w_a = 1 / (1 + k3 * least),
+                     w_b = 1 / (1 + k3 * largest), shift_a = k1 * least, shift_b = k1 * largest,
+                     from = static_cast<Scalar>(i * block_width) + std::min(shift_a, shift_b),
+                     to = static_cast<Scalar>((i + 1) * block_width) + std::max(shift_a, shift_b);
+        row.lowest[i] = std::min(from * w_a, from * w_b) - x0;
+        row.highest[i] = std::max(to * w_a, to * w_b) - x0;
+        row.least_w[i] = std::min(w_b, w_a);  // not a number when w_b is none; where w_a is, lowest is none
+    }
+    enum class Side { Nowhere, Left, Within, Right };  // of the band; nowhere: there is no surface
+    const auto side_of = [&](int i) {
+        if (blocks[i].least > blocks[i].largest) return Side::Nowhere;
+        if (everywhere || !(row.least_w[i] > 0 && row.highest[i] - row.lowest[i] < infinity))
+            return Side::Within;
+        if (first_pixel(row.highest[i], width) <= static_cast<Scalar>(band.first)) return Side::Left;
+        if (first_pixel(row.lowest[i], width) >= static_cast<Scalar>(band.last)) return Side::Right;
+        return Side::Within;
     };
-    int first = covered.x0 / group_of_texels, last = (covered.x1 - 1) / group_of_texels;
-    while (first <= last && !may_come(first)) ++first;
-    while (first <= last && !may_come(last)) --last;
-    if (first > last) return {covered.x0, covered.x0};
-    return {std::max(first * group_of_texels - 1, covered.x0),
-            std::min((last + 1) * group_of_texels + 1, covered.x1)};
+    row.blocks.clear();
+    const auto add = [&](int from, int to) {
+        if (row.blocks.empty() || row.blocks.back().x1 < from)
+            row.blocks.push_back({from, to});
+        else
+            row.blocks.back().x1 = to;
+    };
+    Side before = Side::Nowhere;
+    for (int i = 0; i < count; ++i) {
+        const int x = i * block_width;
+        const Side side = side_of(i);
+        if (side == Side::Within)
+            add(x - 1, x + block_width + 1);
+        else if (side != before && side != Side::Nowhere && before != Side::Nowhere)
+            add(x - 1, x + 1);
+        before = side;
+    }
 }
 
 inline void warp_row(const PreparedRelief& relief, const Warp& warp, const Window& window, const Band& band,
@@ -83,47 +107,58 @@ inline void warp_row(const PreparedRelief& relief, const Warp& warp, const Windo
                  last = static_cast<Scalar>(band.last),
                  perspective = warp.projection == Projection::Perspective ? 1 : 0;
     const Scalar* const parameter = relief.parameter.row(y);
-    const raster::Span texels = texels_for(band, relief, warp, window, y);
-    row.y = y, row.texels = texels;
-    for (int x = texels.x0; x < texels.x1; ++x) {
-        const Scalar q = parameter[x], w = 1 / (1 + k3 * q);
-        row.u[x] = ((static_cast<Scalar>(x) + Scalar(0.5)) + k1 * q) * w - x0;
-        row.v[x] = (at_v + k2 * q) * w - y0;
-        row.weight[x] = (1 + perspective * q) * w;
+    if (row.y < 0 || row.y / block_height != y / block_height)
+        find_blocks(band, relief, warp, window, y / block_height, row);
+    row.y = y;
+    row.wanted.clear();
+    const raster::Span covered = relief.covered[std::size_t(y)];
+    for (const raster::Span& texels : row.blocks)
+        if (const raster::Span both{std::max(texels.x0, covered.x0), std::min(texels.x1, covered.x1)};
+            both.x0 < both.x1)
+            row.wanted.push_back(both);
+    for (const raster::Span& texels : row.wanted) {
+        for (int x = texels.x0; x < texels.x1; ++x) {
+            const Scalar q = parameter[x], w = 1 / (1 + k3 * q);
+            row.u[x] = ((static_cast<Scalar>(x) + Scalar(0.5)) + k1 * q) * w - x0;
+            row.v[x] = (at_v + k2 * q) * w - y0;
+            row.weight[x] = (1 + perspective * q) * w;
+        }
+        for (int x = texels.x0; x < texels.x1; ++x)
+            row.column[x] = std::clamp(first_pixel(row.u[x], width), first, last);
     }
-    for (int x = texels.x0; x < texels.x1; ++x)
-        row.column[x] = std::clamp(first_pixel(row.u[x], width), first, last);
 }
 
-// The numbers of the gaps between the texels of the row, less those at its ends that have no sample in the
-// band; the gaps beyond the ends matter only where the row's surface ends there. A skin that folds back is
-// not drawn: it hangs behind the sheet from whose border it comes.
+// The numbers of the gaps between the wanted texels of the row, less those at the ends of a span that have no
+// sample in the band; the gaps beyond the ends matter only where the row's surface ends there. A skin that
+// folds back is not drawn: it hangs behind the sheet from whose border it comes.
 inline void sample_gaps(const Gap* gaps, raster::Span covered, WarpedRow& row) {
-    raster::Span& texels = row.texels;
     const auto is_idle = [&](int k) {
         return row.column[k] == row.column[k + 1] && (gaps[k] >= Gap::Joined || gaps[k] == Gap::Empty);
     };
-    if (texels.x0 > covered.x0)
-        while (texels.x0 < texels.x1 - 1 && is_idle(texels.x0)) ++texels.x0;
-    if (texels.x1 < covered.x1)
-        while (texels.x0 < texels.x1 - 1 && is_idle(texels.x1 - 2)) --texels.x1;
-    const int first = texels.x0, last = texels.x1 - 1;
-    for (int k = first; k < last; ++k) {
-        row.from[k] = std::min(row.column[k], row.column[k + 1]);
-        const int columns = static_cast<int>(row.column[k + 1] - row.column[k]),
-                  samples = std::min(std::abs(columns), 2);
-        const bool folds = columns < 0, is_skin = gaps[k] == Gap::Across;
-        const int drawn = (folds & is_skin) ? 0 : samples, sticks_out = gaps[k] == Gap::Empty ? 0 : 2;
-        row.work[k + 1] = static_cast<WarpedRow::Work>(gaps[k] >= Gap::Joined ? drawn : sticks_out);
-    }
-    row.work[first] = first == covered.x0 ? WarpedRow::More : WarpedRow::None;
-    row.work[last + 1] = last + 1 == covered.x1 ? WarpedRow::More : WarpedRow::None;
-    for (int k = first; k < last; ++k) {
-        const Scalar at = row.from[k] + Scalar(0.5), t = (at - row.u[k]) * (1 / (row.u[k + 1] - row.u[k])),
-                     weight = row.weight[k] + t * (row.weight[k + 1] - row.weight[k]);
-        row.t[k] = t, row.sample_weight[k] = weight;
-        row.corrected[k] = t * row.weight[k + 1] / weight;
-        row.sample_v[k] = row.v[k] + t * (row.v[k + 1] - row.v[k]);
+    for (raster::Span& texels : row.wanted) {
+        if (texels.x0 > covered.x0)
+            while (texels.x0 < texels.x1 - 1 && is_idle(texels.x0)) ++texels.x0;
+        if (texels.x1 < covered.x1)
+            while (texels.x0 < texels.x1 - 1 && is_idle(texels.x1 - 2)) --texels.x1;
+        const int first = texels.x0, last = texels.x1 - 1;
+        for (int k = first; k < last; ++k) {
+            row.from[k] = std::min(row.column[k], row.column[k + 1]);
+            const int columns = static_cast<int>(row.column[k + 1] - row.column[k]),
+                      samples = std::min(std::abs(columns), 2);
+            const bool folds = columns < 0, is_skin = gaps[k] == Gap::Across;
+            const int drawn = (folds & is_skin) ? 0 : samples, sticks_out = gaps[k] == Gap::Empty ? 0 : 2;
+            row.work[k + 1] = static_cast<WarpedRow::Work>(gaps[k] >= Gap::Joined ? drawn : sticks_out);
+        }
+        for (int k = first; k < last; ++k) {
+            const Scalar at = row.from[k] + Scalar(0.5),
+                         t = (at - row.u[k]) * (1 / (row.u[k + 1] - row.u[k])),
+                         weight = row.weight[k] + t * (row.weight[k + 1] - row.weight[k]);
+            row.t[k] = t, row.sample_weight[k] = weight;
+            row.corrected[k] = t * row.weight[k + 1] / weight;
+            row.sample_v[k] = row.v[k] + t * (row.v[k + 1] - row.v[k]);
+        }
+        row.work[first] = first == covered.x0 ? WarpedRow::More : WarpedRow::None;
+        row.work[last + 1] = last + 1 == covered.x1 ? WarpedRow::More : WarpedRow::None;
     }
 }
 
@@ -275,11 +310,12 @@ template <bool maps, class Method, class Emit>
 template <bool maps, class Method, class Emit>
 void resample_row(const PreparedRelief& relief, WarpedRow& row, const DepthWarp& warp,
                   const OcclusionOrder& order, const Window& window, const Band& band, Emit emit) {
-    if (row.texels.x0 >= row.texels.x1) return;
+    if (row.wanted.empty()) return;
     const Gap* const gaps = relief.gap.row(row.y) + 1;
     const Carried<false>* const carried = relief.carried.row(row.y);
     sample_gaps(gaps, relief.covered[std::size_t(row.y)], row);
-    const raster::Span texels = row.texels;
+    const raster::Span texels{row.wanted.front().x0, row.wanted.back().x1};
+    const std::size_t spans = row.wanted.size();
     const int y = row.y;
     // the first sample of a connection
     const auto first_sample = [&](int k) {
@@ -295,27 +331,33 @@ void resample_row(const PreparedRelief& relief, WarpedRow& row, const DepthWarp&
         return sample;
     };
     for (const Run& run : gap_runs(order.u - texels.x0, texels.x1 - texels.x0, order.toward)) {
-        std::ptrdiff_t at = run.first + texels.x0;
-        for (int left = run.count; left > 0; --left, at += run.step) {
-            const int k = static_cast<int>(at);
-            const WarpedRow::Work work = row.work[k + 1];
-            if (work == WarpedRow::None) continue;
-            if (work == WarpedRow::OneSample) [[likely]] {
-                emit(static_cast<int>(row.from[k]), [&] { return first_sample(k); });
-                continue;
-            }
-            const Gap gap = gaps[k];
-            if (gap >= Gap::Joined) {
-                sample_between<maps, Method>(
-                    {carried_by<maps>(carried[k], k, y), row.u[k], row.v[k], row.weight[k], row.column[k]},
-                    {carried_by<maps>(carried[k + 1], k + 1, y), row.u[k + 1], row.v[k + 1],
-                     row.weight[k + 1], row.column[k + 1]},
-                    gap == Gap::Across, warp, emit);
-            } else {
-                if (gap != Gap::BeforeSecond)
-                    stick_out_of_row<maps, Method>(relief, row, k, 1, warp, window, band, emit);
-                if (gap != Gap::AfterFirst)
-                    stick_out_of_row<maps, Method>(relief, row, k + 1, -1, warp, window, band, emit);
+        const int lowest = texels.x0 + (run.step > 0 ? run.first : run.first - run.count + 1),
+                  highest = lowest + run.count - 1;
+        for (std::size_t i = 0; i < spans; ++i) {
+            const raster::Span& span = row.wanted[run.step > 0 ? i : spans - 1 - i];
+            const int from = std::max(lowest, span.x0 - 1), to = std::min(highest, span.x1 - 1);
+            std::ptrdiff_t at = run.step > 0 ? from : to;
+            for (int left = to - from + 1; left > 0; --left, at += run.step) {
+                const int k = static_cast<int>(at);
+                const WarpedRow::Work work = row.work[k + 1];
+                if (work == WarpedRow::None) continue;
+                if (work == WarpedRow::OneSample) [[likely]] {
+                    emit(static_cast<int>(row.from[k]), [&] { return first_sample(k); });
+                    continue;
+                }
+                const Gap gap = gaps[k];
+                if (gap >= Gap::Joined) {
+                    sample_between<maps, Method>({carried_by<maps>(carried[k], k, y), row.u[k], row.v[k],
+                                                  row.weight[k], row.column[k]},
+                                                 {carried_by<maps>(carried[k + 1], k + 1, y), row.u[k + 1],
+                                                  row.v[k + 1], row.weight[k + 1], row.column[k + 1]},
+                                                 gap == Gap::Across, warp, emit);
+                } else {
+                    if (gap != Gap::BeforeSecond)
+                        stick_out_of_row<maps, Method>(relief, row, k, 1, warp, window, band, emit);
+                    if (gap != Gap::AfterFirst)
+                        stick_out_of_row<maps, Method>(relief, row, k + 1, -1, warp, window, band, emit);
+                }
             }
         }
     }

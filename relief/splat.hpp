@@ -16,9 +16,9 @@ void splat(const PreparedRelief& relief, const Warp& warp, const PrewarpSettings
     for_each_in_order(occlusion_order(warp, settings.painting), relief.camera.width, relief.camera.height,
                       [&](int x, int y) {
                           if (row->y != y) warp_row(relief, warp, window, whole(window), y, *row);
+                          if (!is_covered(relief, x, y)) return;
                           const Scalar u = row->u[x], v = row->v[x];
-                          if (!is_covered(relief, x, y) || !(u >= 0 && u < width && v >= 0 && v < height))
-                              return;
+                          if (!(u >= 0 && u < width && v >= 0 && v < height)) return;
                           painter.paint(static_cast<int>(u), static_cast<int>(v),
                                         carried_by<maps>(relief.carried.at(x, y), x, y), Kind::Sampled);
                       });
