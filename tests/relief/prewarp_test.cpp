@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <iterator>
 #include <tuple>
 
+#include "relief/resample_asymmetric.hpp"
 #include "relief/resample_compensated.hpp"
 #include "tests/relief/random_source.hpp"
 
@@ -36,16 +38,26 @@ ReliefTexture blots(hard::Random& r, const ReliefCamera& camera, double depth_lo
         }
     return texture;
 }
-// A surface that rolls, or leaps from texel to texel, with holes.
-ReliefTexture waves(hard::Random& r, const ReliefCamera& camera) {
+// A surface that rolls or leaps from texel to texel, with holes; or falls over cliffs every 16 texels; or
+// rounds off at its outlines, like balls or like pipes, that begin where a block begins after an empty one.
+ReliefTexture landscape(hard::Random& r, const ReliefCamera& camera) {
+    enum Form { Rolls, Leaps, Cliffs, Balls, Pipes };
+    const Form form = static_cast<Form>(r.integer(0, 4));
     ReliefTexture texture = make_relief_texture(camera);
-    const bool rolls = r.unit() < 0.6;
-    const double holes = r.between(0, rolls ? 0.05 : 0.5), phase = r.between(0, 6), deep = r.between(0.05, 3);
+    const double holes = form == Leaps   ? 0.5
+                         : form == Rolls ? 0.05
+                                         : 0,
+                 phase = r.between(0, 6), deep = r.between(0.05, 3);
     for (int y = 0; y < camera.height; ++y)
         for (int x = 0; x < camera.width; ++x) {
-            if (r.unit() < holes) continue;
-            const double d = rolls ? (0.5 + 0.5 * std::sin(phase + 0.05 * x) * std::cos(0.04 * y)) * deep
-                                   : r.between(0, deep);
+            const double u = (x % 64 - 19.3) / 20, v = form == Pipes ? 0 : (y % 40 - 19.6) / 20,
+                         hump = 1 - u * u - v * v;
+            if (r.unit() < holes || (form >= Balls && hump < 0)) continue;
+            const double height = form == Rolls ? 0.5 + 0.5 * std::sin(phase + 0.05 * x) * std::cos(0.04 * y)
+                                  : form == Leaps  ? r.unit()
+                                  : form == Cliffs ? x / 16 % 2
+                                                   : 1 - std::sqrt(hump);
+            const double d = deep * height;
             texture.coverage.at(x, y) = 1;
             texture.color.at(x, y) = {Scalar(x), Scalar(y), Scalar(d)};
             texture.depth.at(x, y) =
@@ -248,7 +260,7 @@ TEST(Prewarp, BandsOfColumnsChangeNoByte) {
     for (int i = 0; i < 24; ++i) {
         const Projection projection = i % 2 ? Projection::Perspective : Projection::Orthographic;
         const ReliefCamera camera = random::source(r, projection);
-        ReliefTexture texture = waves(r, camera);
+        ReliefTexture texture = landscape(r, camera);
         if (i == 7) texture.depth.at(0, 0) = std::numeric_limits<Scalar>::quiet_NaN();
         const glm::dvec3 eye =
             random::viewer_place(r, camera, std::pow(10, r.between(-3, 3)), r.between(0, 5));
@@ -270,6 +282,47 @@ TEST(Prewarp, BandsOfColumnsChangeNoByte) {
                     ASSERT_TRUE(same_bytes(one, many)) << i << ' ' << name(resampler) << ' ' << threads;
                 }
             }
+        }
+    }
+}
+
+// A band of one column at every place: of each row it gets what the whole window gets there, no more, no
+// less.
+TEST(Prewarp, ABandGetsTheSamplesOfItsColumns) {
+    hard::Random r(78);
+    const std::unique_ptr<WarpedRow> row = make_warped_row();
+    for (int i = 0; i < 200; ++i) {
+        const ReliefCamera camera =
+            random::source(r, i % 2 ? Projection::Perspective : Projection::Orthographic);
+        const PreparedRelief relief = prepare(landscape(r, camera), i % 4 < 2 ? Jump::Skin : Jump::Cut);
+        const auto warp =
+            make_warp(camera, viewer_at(random::viewer_place(r, camera, std::pow(10, r.between(-1, 1)), 3)));
+        ASSERT_TRUE(warp);
+        const Window window = source_window(camera);
+        struct Sample {
+            int x;
+            Scalar v, weight, depth;
+            bool operator==(const Sample&) const = default;
+        };
+        const int y = static_cast<int>(r.integer(0, camera.height - 1));
+        const auto samples_of = [&](const Band& band) {
+            std::vector<Sample> samples;
+            row->y = -1;
+            warp_row(relief, *warp, window, band, y, *row);
+            resample_row<false, AsymmetricMethod>(
+                relief, *row, DepthWarp(*warp), occlusion_order(*warp), window, band,
+                [&](int x, auto&& sample) {
+                    const RowSample<false> s = sample();
+                    samples.push_back({x, s.v, s.weight, s.carried.depth()});
+                });
+            return samples;
+        };
+        const std::vector<Sample> all = samples_of(whole(window));
+        for (int x = 0; x < window.width; ++x) {
+            std::vector<Sample> here;
+            std::copy_if(all.begin(), all.end(), std::back_inserter(here),
+                         [&](const Sample& sample) { return sample.x == x; });
+            ASSERT_TRUE(samples_of({x, x + 1}) == here) << "case " << i << " row " << y << " column " << x;
         }
     }
 }
