@@ -107,15 +107,17 @@ void wait_until_asleep(const std::vector<std::string>& threads) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
-// Runs until all items of one run meet: each thread works on one. `work` may be called more often.
+// Runs until all threads meet in one run. `work` may be called more often. Threads are counted, not items:
+// who has waited in vain takes another item.
 void meet(
     Workers& workers, const std::function<void(int worker)>& work = [](int) {}) {
     std::atomic<int> here = 0;
     while (here < workers.count()) {
         here = 0;
+        std::vector<std::atomic<bool>> came(static_cast<std::size_t>(workers.count()));
         workers.run(workers.count(), [&](int, int worker) {
             work(worker);
-            ++here;
+            if (!came[static_cast<std::size_t>(worker)].exchange(true)) ++here;
             const auto patience = std::chrono::steady_clock::now() + std::chrono::milliseconds(20);
             while (here < workers.count() && std::chrono::steady_clock::now() < patience)
                 std::this_thread::yield();
