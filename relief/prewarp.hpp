@@ -63,10 +63,12 @@ struct Prewarped {
     Image<std::uint16_t> writes;  // how often the pixel was painted (at most 65535)
 };
 
+// Of the blocks into which a relief texture is divided, in texels.
+inline constexpr int block_width = 16, block_height = 8;
+
 // A relief texture laid out for warping. It depends on no viewer: made once, it serves all warps. What a
 // resampler reads together lies together; which neighbours hang together, and how the surface goes on
 // where it ends (resample_line.hpp), is known beforehand.
-inline constexpr int block_width = 16, block_height = 8;  // in texels
 struct PreparedRelief {
     ReliefCamera camera;
     Jump jump;

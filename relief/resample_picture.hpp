@@ -39,8 +39,8 @@ struct RowResampled {
     RowSample<maps> at(int x) const { return samples.at(x); }  // the first to come there
 };
 
-// The columns at which the window is cut, so that the bands have about as much work: a sample is three times
-// the work of a texel (instructions, counted).
+// The columns at which the window is cut, so that the bands have about as much work: a sample counts as three
+// texels, with which the times of two bands come out alike.
 inline std::vector<int> cuts_between_bands(const PreparedRelief& relief, const Warp& warp,
                                            const Window& window, int bands, WarpedRow& row) {
     if (bands == 1) return {0, window.width};
