@@ -19,6 +19,7 @@ namespace relevo::relief {
 struct WarpedRow {
     static constexpr int length = pipeline::max_picture_size + 16;
     int y = -1;                        // of the source; -1: none of this warp and this band
+    int next_y = 0;                    // the row that is likely to follow
     std::vector<raster::Span> wanted;  // texels of the row: those that are here; no two spans touch
     Scalar u[length], v[length];       // where each texel goes
     Scalar weight[length];             // h / (h + d)
@@ -109,6 +110,7 @@ inline void warp_row(const PreparedRelief& relief, const Warp& warp, const Windo
     const Scalar* const parameter = relief.parameter.row(y);
     if (row.y < 0 || row.y / block_height != y / block_height)
         find_blocks(band, relief, warp, window, y / block_height, row);
+    row.next_y = std::clamp(2 * y - row.y, 0, relief.camera.height - 1);
     row.y = y;
     row.wanted.clear();
     const raster::Span covered = relief.covered[std::size_t(y)];
@@ -312,7 +314,8 @@ void resample_row(const PreparedRelief& relief, WarpedRow& row, const DepthWarp&
                   const OcclusionOrder& order, const Window& window, const Band& band, Emit emit) {
     if (row.wanted.empty()) return;
     const Gap* const gaps = relief.gap.row(row.y) + 1;
-    const Carried<false>* const carried = relief.carried.row(row.y);
+    const Carried<false>*const carried = relief.carried.row(row.y), *const next =
+                                                                        relief.carried.row(row.next_y);
     sample_gaps(gaps, relief.covered[std::size_t(row.y)], row);
     const raster::Span texels{row.wanted.front().x0, row.wanted.back().x1};
     const std::size_t spans = row.wanted.size();
@@ -340,6 +343,7 @@ void resample_row(const PreparedRelief& relief, WarpedRow& row, const DepthWarp&
             for (int left = to - from + 1; left > 0; --left, at += run.step) {
                 const int k = static_cast<int>(at);
                 const WarpedRow::Work work = row.work[k + 1];
+                __builtin_prefetch(next + at, 0, 2);  // a row is further away than processors look ahead
                 if (work == WarpedRow::None) continue;
                 if (work == WarpedRow::OneSample) [[likely]] {
                     emit(static_cast<int>(row.from[k]), [&] { return first_sample(k); });
