@@ -43,6 +43,8 @@ Result<OnPlane> on_plane(const Represented& object, const ReliefTexture& texture
         return OnPlane{*warp, warp_sprite_with_depth(texture, *warp, *window, double{object.jump_depth()})};
     PrewarpSettings settings = object.settings.prewarp;
     settings.jump_depth = object.jump_depth();
+    // a thread costs more than a hundred columns
+    settings.threads = std::clamp(settings.threads, 1, std::max(window->width / 128, 1));
     return OnPlane{*warp, prewarp(texture, *warp, *window, settings)};
 }
 

@@ -147,7 +147,7 @@ int render_objects(const RenderOptions& options, const scene::LoadedScene& loade
     if (plan_path(loaded.scene, loaded.settings).fast) workers.emplace(threads);
     raster::fast::Workspace workspace;
     const Clock::time_point start = Clock::now();
-    const auto pictures = scene::take_pictures(loaded);
+    const auto pictures = scene::take_pictures(loaded, threads);
     if (!pictures) return refuse(pictures.error());
     for (const std::string& note : pictures->notes) std::fprintf(stderr, "warning: %s\n", note.c_str());
     double draw = milliseconds_since(start);
@@ -265,8 +265,9 @@ void add_render(CLI::App& app, int& status) {
             "Also write the first relief texture of the scene: its camera, and EXR pictures beside it.")
         ->type_name("FILE.json");
     command
-        ->add_option("--threads", options->threads,
-                     "Threads of the fast path, 1 to 256; default: as many as there are cores.")
+        ->add_option(
+            "--threads", options->threads,
+            "Threads of the fast path and of the pre-warp, 1 to 256; default: as many as there are cores.")
         ->type_name("N");
     command
         ->add_option(

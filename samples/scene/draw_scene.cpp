@@ -13,11 +13,12 @@ io::FileError wrong(const ReliefObject& object, const std::string& what) {
 
 }  // namespace
 
-io::FileResult<ReliefPictures> take_pictures(const LoadedScene& scene) {
+io::FileResult<ReliefPictures> take_pictures(const LoadedScene& scene, int threads) {
     ReliefPictures pictures;
     for (const ReliefObject& object : scene.reliefs) {
         auto made = relief::represent(object.representation, object.settings, shape_capture(scene, object));
         if (!made) return wrong(object, made.error().message);
+        made->settings.prewarp.threads = threads;
         const auto shows = [](const relief::ReliefTexture& texture) {
             const auto& covered = texture.coverage.pixels();
             return std::find(covered.begin(), covered.end(), 1) != covered.end();
@@ -37,10 +38,13 @@ io::FileResult<Drawn> draw_scene(const LoadedScene& loaded, const ReliefPictures
     raster::Scene scene = loaded.scene;
     scene.camera = camera_at(loaded, frame_number);
     Drawn drawn;
-    std::vector<relief::Represented> objects;
+    std::vector<relief::Represented> surfaces;  // those of `objects` that are drawn as geometry
+    surfaces.reserve(loaded.reliefs.size());
+    std::vector<const relief::Represented*> objects;
     for (std::size_t i = 0; i < loaded.reliefs.size(); ++i) {
-        relief::Represented object = pictures.objects[i];
-        if (const auto refusal = relief::refusal(object, scene.camera)) {
+        const relief::Represented& object = pictures.objects[i];
+        const auto refusal = relief::refusal(object, scene.camera);
+        if (refusal) {
             drawn.notes.push_back(wrong(loaded.reliefs[i], "drawn as geometry: " + refusal->message).text());
             const std::vector<raster::Model>& models = loaded.reliefs[i].models->models;
             scene.models.insert(scene.models.end(), models.begin(), models.end());
@@ -49,13 +53,14 @@ io::FileResult<Drawn> draw_scene(const LoadedScene& loaded, const ReliefPictures
                 return wrong(
                     loaded.reliefs[i],
                     refusal->message + "; and rays are cast from an eye, which a parallel view has not");
-            object.representation = relief::Representation::Geometry;
+            relief::Represented& surface = surfaces.emplace_back();
+            surface.settings = object.settings, surface.capture = object.capture, surface.ball = object.ball;
         }
-        objects.push_back(std::move(object));
+        objects.push_back(refusal ? &surfaces.back() : &object);
     }
     drawn.rendering = raster::render(scene, loaded.settings, frame, workspace, workers);
-    for (const relief::Represented& object : objects)
-        if (const auto error = relief::draw_represented(object, scene, loaded.settings, frame))
+    for (const relief::Represented* object : objects)
+        if (const auto error = relief::draw_represented(*object, scene, loaded.settings, frame))
             return io::FileError{{loaded.path, 0, 0}, error->message};
     return drawn;
 }

@@ -11,8 +11,8 @@ struct ReliefPictures {
     std::vector<relief::Represented> objects;  // one for each of LoadedScene::reliefs, from which they borrow
     std::vector<std::string> notes;            // an object a line of whom no texel shows anything
 };
-// Errors name the place of the object.
-io::FileResult<ReliefPictures> take_pictures(const LoadedScene& scene);
+// With how many threads they are warped later changes no byte. Errors name the place of the object.
+io::FileResult<ReliefPictures> take_pictures(const LoadedScene& scene, int threads = 1);
 
 struct Drawn {
     raster::Rendering rendering;     // of the models

@@ -19,11 +19,13 @@ struct Result {
     raster::Frame frame;
     std::vector<std::string> notes;
 };
-Result drawn(const LoadedScene& scene, int number = 0) {
+Result drawn(const LoadedScene& scene, int number = 0, int threads = 1) {
     Result out{make_frame(scene), {}};
     raster::fast::Workspace workspace;
-    const auto pictures = take_pictures(scene);
+    const auto pictures = take_pictures(scene, threads);
     EXPECT_TRUE(pictures) << pictures.error().text();
+    for (const relief::Represented& object : pictures->objects)
+        EXPECT_EQ(object.settings.prewarp.threads, threads);
     const auto done = draw_scene(scene, *pictures, number, out.frame, workspace);
     EXPECT_TRUE(done) << done.error().text();
     if (done) out.notes = done->notes;
@@ -138,6 +140,16 @@ TEST(DrawScene, AMorphIsForViewersBetweenItsViews) {
     ASSERT_FALSE(pictures);
     EXPECT_EQ(pictures.error().text(),
               "scene.toml:9:18: torus: the two views have the same eye: a view morph needs two places");
+}
+
+TEST(DrawScene, ThreadsOfThePrewarpChangeNoByte) {
+    const LoadedScene scene = parsed(
+        head +
+        "[[object]]\nsurface = \"complex\"\nrepresentation = \"relief\"\n[object.relief]\ntexels = 400\n");
+    const Result one = drawn(scene), three = drawn(scene, 0, 3);
+    EXPECT_GT(covered_pixels(one.frame), 100);
+    EXPECT_TRUE(same(one.frame.color, three.frame.color));
+    EXPECT_TRUE(same(one.frame.depth, three.frame.depth));
 }
 
 TEST(DrawScene, PicturesThatShowNothingAreNoted) {
