@@ -309,6 +309,11 @@ std::optional<Error> refusal(const Represented& object, const raster::Camera& ca
                         object.representation == Representation::SpriteDepth;
     const auto window = target_window(texture.camera, *warp, depth_range(texture));
     if (warped && !window) return window.error();
+    const ReliefCamera& source = texture.camera;
+    const double texel = std::sqrt(std::max(glm::dot(source.a, source.a), glm::dot(source.b, source.b))),
+                 least = std::min(4.0, std::max(source.width, source.height) / 16.0) * texel;
+    if (warped && warp->h < least)
+        return Error{"the viewer is too near to the relief's plane: the warped picture is a few texels wide"};
     return {};
 }
 

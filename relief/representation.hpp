@@ -108,7 +108,9 @@ Result<Represented> represent(Representation representation, const Representatio
                               const ShapeCapture& capture);
 
 // Why the pictures cannot be drawn for this camera: its viewer is on or behind the plane of the only one, or
-// not between the two views of a morph (up to half the way beyond either is allowed).
+// so near before it that what is warped shrinks to a few texels (nearer than 4 of them, or than 1/16 of the
+// picture if that is less: a depth as great as the picture is wide then is as many texels wide); or it is not
+// between the two views of a morph (up to half the way beyond either is allowed).
 std::optional<pipeline::Error> refusal(const Represented& object, const raster::Camera& camera);
 
 // What a screen gets of the pictures, Representation::Relief included. Errors: those of refusal(); a

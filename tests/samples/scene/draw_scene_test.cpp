@@ -94,6 +94,30 @@ TEST(DrawScene, ReliefsSeenFromBehindAreDrawnAsGeometryAndNoted) {
     EXPECT_TRUE(same(mesh_behind.frame.color, mesh_truth.frame.color));
 }
 
+// The plane is at z = 1, a texel 1/128 wide; from 2 texels the object would be drawn as 2 texels, or not at
+// all.
+TEST(DrawScene, ReliefsSeenFromJustBeforeTheirPlaneAreDrawnAsGeometryAndNoted) {
+    const auto seen_from = [](const std::string& z, const std::string& way) {
+        return drawn(parsed("[image]\nwidth = 80\nheight = 60\n[camera]\neye = [0.4, 0.3, " + z +
+                            "]\ntarget = [0, 0, 0]\nnear = 0.001\n[[object]]\nsurface = \"bumpy\"\n" + way));
+    };
+    for (const std::string way : {"relief", "sprite-depth"}) {
+        const std::string picture = "representation = \"" + way + "\"\n[object.relief]\nradius = 1\n";
+        EXPECT_TRUE(seen_from("1.04", picture).notes.empty());
+        for (const std::string z : {"1.02", "1.000001"}) {
+            const Result near = seen_from(z, picture);
+            ASSERT_EQ(near.notes.size(), 1u) << z;
+            EXPECT_EQ(
+                near.notes[0],
+                "scene.toml:10:18: bumpy: drawn as geometry: the viewer is too near to the relief's plane: "
+                "the warped picture is a few texels wide");
+            EXPECT_TRUE(same(near.frame.color, seen_from(z, "").frame.color)) << z;
+        }
+        EXPECT_TRUE(seen_from("1.02", "representation = \"sprite\"\n").notes.empty());
+        EXPECT_TRUE(seen_from("1.02", "representation = \"relief-inverse\"\n").notes.empty());
+    }
+}
+
 TEST(DrawScene, AParallelViewDrawsReliefs) {
     const LoadedScene scene = parsed(
         "[image]\nwidth = 80\nheight = 60\n[camera]\nprojection = \"orthographic\"\nheight = 3\neye = [0.6, "
