@@ -97,7 +97,10 @@ RELEVO_LANE int cover_tile(const DrawState& draw, const Chunk* chunks, int chunk
     alignas(64) SnappedCorner staged[3][cover_batch + 16];
     for (int first = 0; first < listed; first += cover_batch) {
         const int n = listed - first < cover_batch ? listed - first : cover_batch;
-        stage_corners(draw, scratch.ids + first, n, listed - first, staged);
+        if (draw.carried)
+            stage_corners<true>(draw, scratch.ids + first, n, listed - first, staged);
+        else
+            stage_corners<false>(draw, scratch.ids + first, n, listed - first, staged);
         for (int k = 0; k < n; k += lanes)
             cover_group(draw, scratch, box, &staged[0][k], &staged[1][k], &staged[2][k],
                         static_cast<std::uint32_t>(first + k), n - k < lanes ? n - k : lanes);

@@ -45,7 +45,9 @@ RELEVO_LANE int read_list(const DrawState& draw, const Chunk* chunks, int chunk_
 inline constexpr int cover_batch = 64;
 
 // Copies the corners of the first n triangles side by side; they are of any models, whole or pieces.
-// Meanwhile it asks for what a later call will want: the corners stand all over memory.
+// Meanwhile it asks for what a later call will want and, with `carried`, shading: the corners, and what they
+// carry, stand all over memory.
+template <bool carried>
 RELEVO_LANE void stage_corners(const DrawState& draw, const std::uint32_t* ids, int n, int listed,
                                SnappedCorner (&staged)[3][cover_batch + 16]) {
     std::uint32_t model_first = 1, model_last = 0;  // of the model at hand: none yet
@@ -65,6 +67,9 @@ RELEVO_LANE void stage_corners(const DrawState& draw, const std::uint32_t* ids, 
         const std::uint32_t* index = &model->indices[3 * (std::size_t{id} - model_first)];
         for (int corner = 0; corner < 3; ++corner)
             copy_corner(model->window[index[corner]], staged[corner][k]);
+        if constexpr (carried)
+            for (const int corner : {0, 2})  // two of three are all, in strips and grids
+                __builtin_prefetch(model->carried + index[corner] * std::size_t(model->stride), 0, 2);
         if (k + cover_batch >= listed) continue;
         const std::uint32_t later = ids[k + cover_batch];
         if (!(model_first <= later && later < model_last)) continue;
