@@ -36,12 +36,136 @@ std::vector<ReliefTexture> ray_cast_layers(const Surface& surface, const ReliefC
     return peeled;
 }
 
+namespace layers_detail {
+
+// What one layer has of one side of the surfaces: of those that face the source, or of those that turn their
+// back to it.
+//
+// Its half texels lead to where the surface goes on: half-way to the neighbour, in whichever layer that is.
+// Where there is none the surface has its outline, and there the front of a body meets its back: of a ball,
+// d = D - c sqrt(s) meets d = D + c sqrt(s), whatever the distance s from the outline. So both lead to
+// half-way between them, and whoever looks from aside does not see past the rim, or into the body.
+class Grid {
+  public:
+    Grid(const std::vector<ReliefTexture>& layers, const ReliefCamera& viewer, double jump, std::size_t layer,
+         bool front)
+        : layers_(layers), grid_(layers[layer], viewer), jump_(jump), layer_(layer), front_(front) {}
+
+    int width() const { return grid_.width(); }
+    int height() const { return grid_.height(); }
+    bool covered(int x, int y) const { return is_of_side(layer_, x, y, front_); }
+    double depth(int x, int y) const { return grid_.depth(x, y); }
+    LinearRgb color(int x, int y, double by_u, double by_v) const { return point(x, y, by_u, by_v).color; }
+    std::optional<MovedPoint> moved(int x, int y, double by_u, double by_v) const {
+        const Point p = point(x, y, by_u, by_v);
+        return grid_.moved(p.u, p.v, p.depth);
+    }
+
+  private:
+    struct Point {
+        double u = 0, v = 0;
+        Scalar depth = 0;  // as stored
+        LinearRgb color{};
+    };
+    static Point sum(const Point& a, const Point& b) {
+        return {a.u + b.u, a.v + b.v, a.depth + b.depth, a.color + b.color};
+    }
+    static Point times(Scalar k, const Point& a) {
+        return {double{k} * a.u, double{k} * a.v, k * a.depth, k * a.color};
+    }
+
+    bool is_of_side(std::size_t layer, int x, int y, bool front) const {
+        const ReliefTexture& texture = layers_[layer];
+        if (!texture.coverage.holds(x, y) || !texture.coverage.at(x, y)) return false;
+        const glm::dvec3 sight = source_ray(texture.camera, x + 0.5, y + 0.5).direction;
+        return front == (glm::dot(glm::dvec3(texture.normal.at(x, y)), sight) <= 0);
+    }
+    Point sample(std::size_t layer, int x, int y) const {
+        return {x + 0.5, y + 0.5, layers_[layer].depth.at(x, y), layers_[layer].color.at(x, y)};
+    }
+    double depth_of(std::size_t layer, int x, int y) const {
+        const ReliefCamera& camera = layers_[layer].camera;
+        return glm::dot(world_point(layers_[layer], x, y) - camera.corner, forward(camera));
+    }
+
+    // The layer in which the surface goes on that lies so deep beside.
+    std::optional<std::size_t> layer_near(int x, int y, double depth) const {
+        std::optional<std::size_t> nearest;
+        double least = jump_;
+        for (std::size_t k = 0; k < layers_.size(); ++k)
+            if (is_of_side(k, x, y, front_))
+                if (const double apart = std::fabs(depth_of(k, x, y) - depth); apart <= least)
+                    least = apart, nearest = k;
+        return nearest;
+    }
+    // Half-way between the front of a body and its back.
+    Point outline(std::size_t layer, int x, int y) const {
+        const Point here = sample(layer, x, y);
+        const std::ptrdiff_t step = front_ ? 1 : -1;
+        for (auto k = std::ptrdiff_t(layer) + step; k >= 0 && k < std::ssize(layers_); k += step)
+            if (is_of_side(std::size_t(k), x, y, !front_))
+                return times(Scalar(0.5), sum(here, sample(std::size_t(k), x, y)));
+        return here;
+    }
+
+    // Where the surface ends on the way that leads from the texel outwards, one step a texel. From front to
+    // back it is g = 2 c sqrt(s) here and g1 = 2 c sqrt(s + 1) one step inwards: so the outline is s texels
+    // away.
+    Point end(std::size_t layer, int x, int y, int step_x, int step_y) const {
+        Point end = outline(layer, x, y);
+        const double g = std::fabs(double{end.depth} - double{sample(layer, x, y).depth});
+        double s = 0.5;
+        if (const auto inner = layer_near(x - step_x, y - step_y, depth_of(layer, x, y)); inner && g > 0) {
+            const Point p = sample(*inner, x - step_x, y - step_y);
+            const double g1 = double{outline(*inner, x - step_x, y - step_y).depth} - double{p.depth};
+            if (g1 * g1 > g * g) s = std::min(g * g / (g1 * g1 - g * g), 1.0);
+        }
+        end.u += s * step_x, end.v += s * step_y;
+        return end;
+    }
+
+    // The point where the pixel's quarter meets those beside it: the mean of the texels round it if the
+    // surface goes on in all, else of the ends of all ways that lead from one of them, along rows and
+    // columns, to one where it does not.
+    Point point(int x, int y, double by_u, double by_v) const {
+        const int beside = (by_u > 0) - (by_u < 0), below = (by_v > 0) - (by_v < 0);
+        const int columns = beside == 0 ? 1 : 2, rows = below == 0 ? 1 : 2;
+        const double here = depth(x, y);
+        Point inside, ends;
+        int texels = 0, ways = 0;
+        for (int i = 0; i < columns; ++i)
+            for (int j = 0; j < rows; ++j) {
+                const int at_x = x + i * beside, at_y = y + j * below, out_x = i == 0 ? beside : -beside,
+                          out_y = j == 0 ? below : -below;
+                const auto layer = layer_near(at_x, at_y, here);
+                if (!layer) continue;
+                inside = sum(inside, sample(*layer, at_x, at_y)), ++texels;
+                if (out_x != 0 && !layer_near(at_x + out_x, at_y, here))
+                    ends = sum(ends, end(*layer, at_x, at_y, out_x, 0)), ++ways;
+                if (out_y != 0 && !layer_near(at_x, at_y + out_y, here))
+                    ends = sum(ends, end(*layer, at_x, at_y, 0, out_y)), ++ways;
+            }
+        return ways == 0 ? times(Scalar(1) / static_cast<Scalar>(texels), inside)
+                         : times(Scalar(1) / static_cast<Scalar>(ways), ends);
+    }
+
+    const std::vector<ReliefTexture>& layers_;
+    view_mesh_detail::Grid grid_;
+    double jump_;
+    std::size_t layer_;
+    bool front_;
+};
+
+}  // namespace layers_detail
+
 // All layers by depth; the coverage of a pixel is 1 + its layer. `jump` is that of view_mesh.hpp.
 inline ViewImage draw_layers(const std::vector<ReliefTexture>& layers, const ReliefCamera& viewer,
                              double jump) {
     ViewImage image(viewer.width, viewer.height);
     for (std::size_t k = 0; k < layers.size(); ++k)
-        draw_view_mesh(layers[k], viewer, jump, image, static_cast<std::uint8_t>(1 + k), Sides::Both);
+        for (const bool front : {true, false})
+            draw_grid_mesh(layers_detail::Grid(layers, viewer, jump, k, front), jump, image,
+                           static_cast<std::uint8_t>(1 + k), Sides::Both);
     return image;
 }
 
