@@ -38,6 +38,28 @@ std::vector<ReliefTexture> ray_cast_layers(const Surface& surface, const ReliefC
 
 namespace layers_detail {
 
+// What all drawings of the layers ask of them: behind the plane, along its normal; and which side they show.
+struct Samples {
+    enum Side : std::uint8_t { None, Front, Back };
+    const ReliefTexture& texture;
+    Image<double> depth;
+    Image<Side> side;
+};
+inline Samples samples_of(const ReliefTexture& texture) {
+    const ReliefCamera& camera = texture.camera;
+    Samples samples{texture, {camera.width, camera.height}, {camera.width, camera.height}};
+    const glm::dvec3 along = forward(camera);
+    for (int y = 0; y < camera.height; ++y)
+        for (int x = 0; x < camera.width; ++x) {
+            if (!texture.coverage.at(x, y)) continue;
+            const glm::dvec3 sight = source_ray(camera, x + 0.5, y + 0.5).direction;
+            const bool away = glm::dot(glm::dvec3(texture.normal.at(x, y)), sight) > 0;
+            samples.depth.at(x, y) = glm::dot(world_point(texture, x, y) - camera.corner, along);
+            samples.side.at(x, y) = away ? Samples::Back : Samples::Front;
+        }
+    return samples;
+}
+
 // What one layer has of one side of the surfaces: of those that face the source, or of those that turn their
 // back to it.
 //
@@ -47,14 +69,14 @@ namespace layers_detail {
 // half-way between them, and whoever looks from aside does not see past the rim, or into the body.
 class Grid {
   public:
-    Grid(const std::vector<ReliefTexture>& layers, const ReliefCamera& viewer, double jump, std::size_t layer,
-         bool front)
-        : layers_(layers), grid_(layers[layer], viewer), jump_(jump), layer_(layer), front_(front) {}
+    Grid(const std::vector<Samples>& layers, const ReliefCamera& viewer, double jump, std::size_t layer,
+         Samples::Side side)
+        : layers_(layers), grid_(layers[layer].texture, viewer), jump_(jump), layer_(layer), side_(side) {}
 
     int width() const { return grid_.width(); }
     int height() const { return grid_.height(); }
-    bool covered(int x, int y) const { return is_of_side(layer_, x, y, front_); }
-    double depth(int x, int y) const { return grid_.depth(x, y); }
+    bool covered(int x, int y) const { return shows(layer_, x, y, side_); }
+    double depth(int x, int y) const { return layers_[layer_].depth.at(x, y); }
     LinearRgb color(int x, int y, double by_u, double by_v) const { return point(x, y, by_u, by_v).color; }
     std::optional<MovedPoint> moved(int x, int y, double by_u, double by_v) const {
         const Point p = point(x, y, by_u, by_v);
@@ -74,36 +96,32 @@ class Grid {
         return {double{k} * a.u, double{k} * a.v, k * a.depth, k * a.color};
     }
 
-    bool is_of_side(std::size_t layer, int x, int y, bool front) const {
-        const ReliefTexture& texture = layers_[layer];
-        if (!texture.coverage.holds(x, y) || !texture.coverage.at(x, y)) return false;
-        const glm::dvec3 sight = source_ray(texture.camera, x + 0.5, y + 0.5).direction;
-        return front == (glm::dot(glm::dvec3(texture.normal.at(x, y)), sight) <= 0);
+    bool shows(std::size_t layer, int x, int y, Samples::Side side) const {
+        return layers_[layer].side.holds(x, y) && layers_[layer].side.at(x, y) == side;
     }
     Point sample(std::size_t layer, int x, int y) const {
-        return {x + 0.5, y + 0.5, layers_[layer].depth.at(x, y), layers_[layer].color.at(x, y)};
-    }
-    double depth_of(std::size_t layer, int x, int y) const {
-        const ReliefCamera& camera = layers_[layer].camera;
-        return glm::dot(world_point(layers_[layer], x, y) - camera.corner, forward(camera));
+        const ReliefTexture& texture = layers_[layer].texture;
+        return {x + 0.5, y + 0.5, texture.depth.at(x, y), texture.color.at(x, y)};
     }
 
     // The layer in which the surface goes on that lies so deep beside.
     std::optional<std::size_t> layer_near(int x, int y, double depth) const {
         std::optional<std::size_t> nearest;
         double least = jump_;
-        for (std::size_t k = 0; k < layers_.size(); ++k)
-            if (is_of_side(k, x, y, front_))
-                if (const double apart = std::fabs(depth_of(k, x, y) - depth); apart <= least)
-                    least = apart, nearest = k;
+        for (std::size_t k = 0; k < layers_.size(); ++k) {
+            if (!shows(k, x, y, side_)) continue;
+            if (const double apart = std::fabs(layers_[k].depth.at(x, y) - depth); apart <= least)
+                least = apart, nearest = k;
+        }
         return nearest;
     }
     // Half-way between the front of a body and its back.
     Point outline(std::size_t layer, int x, int y) const {
         const Point here = sample(layer, x, y);
-        const std::ptrdiff_t step = front_ ? 1 : -1;
+        const Samples::Side other = side_ == Samples::Front ? Samples::Back : Samples::Front;
+        const std::ptrdiff_t step = side_ == Samples::Front ? 1 : -1;
         for (auto k = std::ptrdiff_t(layer) + step; k >= 0 && k < std::ssize(layers_); k += step)
-            if (is_of_side(std::size_t(k), x, y, !front_))
+            if (shows(std::size_t(k), x, y, other))
                 return times(Scalar(0.5), sum(here, sample(std::size_t(k), x, y)));
         return here;
     }
@@ -115,7 +133,8 @@ class Grid {
         Point end = outline(layer, x, y);
         const double g = std::fabs(double{end.depth} - double{sample(layer, x, y).depth});
         double s = 0.5;
-        if (const auto inner = layer_near(x - step_x, y - step_y, depth_of(layer, x, y)); inner && g > 0) {
+        if (const auto inner = layer_near(x - step_x, y - step_y, layers_[layer].depth.at(x, y));
+            inner && g > 0) {
             const Point p = sample(*inner, x - step_x, y - step_y);
             const double g1 = double{outline(*inner, x - step_x, y - step_y).depth} - double{p.depth};
             if (g1 * g1 > g * g) s = std::min(g * g / (g1 * g1 - g * g), 1.0);
@@ -149,11 +168,11 @@ class Grid {
                          : times(Scalar(1) / static_cast<Scalar>(ways), ends);
     }
 
-    const std::vector<ReliefTexture>& layers_;
+    const std::vector<Samples>& layers_;
     view_mesh_detail::Grid grid_;
     double jump_;
     std::size_t layer_;
-    bool front_;
+    Samples::Side side_;
 };
 
 }  // namespace layers_detail
@@ -161,10 +180,12 @@ class Grid {
 // All layers by depth; the coverage of a pixel is 1 + its layer. `jump` is that of view_mesh.hpp.
 inline ViewImage draw_layers(const std::vector<ReliefTexture>& layers, const ReliefCamera& viewer,
                              double jump) {
+    std::vector<layers_detail::Samples> samples;
+    for (const ReliefTexture& layer : layers) samples.push_back(layers_detail::samples_of(layer));
     ViewImage image(viewer.width, viewer.height);
     for (std::size_t k = 0; k < layers.size(); ++k)
-        for (const bool front : {true, false})
-            draw_grid_mesh(layers_detail::Grid(layers, viewer, jump, k, front), jump, image,
+        for (const auto side : {layers_detail::Samples::Front, layers_detail::Samples::Back})
+            draw_grid_mesh(layers_detail::Grid(samples, viewer, jump, k, side), jump, image,
                            static_cast<std::uint8_t>(1 + k), Sides::Both);
     return image;
 }
