@@ -157,7 +157,7 @@ class Grid {
         const bool reaches = turns_ == 0 || (turns_ < 0 ? 4 * x >= 3 * width() : 4 * x <= width());
         return reaches && y >= 0 && y < height() && relief_.coverage.at(column(x), y);
     }
-    LinearRgb color(int x, int y) const { return relief_.color.at(column(x), y); }
+    LinearRgb color(int x, int y, double, double) const { return relief_.color.at(column(x), y); }
     double depth(int x, int y) const {
         return relief_.camera.radius / double{relief_.depth.at(column(x), y)};
     }

@@ -3,8 +3,8 @@
 // differ in where a pixel goes.
 //
 // A cell whose four pixels are covered and lie within `jump` of one another in depth becomes two triangles;
-// otherwise each of its pixels keeps its own quarter of the cell, at its own depth. Depth and colour are
-// perspective-correct. Places are snapped to 1/256 pixel.
+// otherwise each of its pixels keeps its own quarter of the cell. Depth and colour are perspective-correct.
+// Places are snapped to 1/256 pixel.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -30,11 +30,12 @@ concept MovedGrid = requires(const G& grid, int x, int y, double by) {
     { grid.width() } -> std::convertible_to<int>;
     { grid.height() } -> std::convertible_to<int>;
     { grid.covered(x, y) } -> std::convertible_to<bool>;
-    { grid.color(x, y) } -> std::convertible_to<LinearRgb>;
     // For `jump`: in which depth the pixel lies.
     { grid.depth(x, y) } -> std::convertible_to<double>;
-    // Where the point goes that lies (by, by) pixels beside the pixel's centre, in the pixel's depth; none
-    // when the target does not see it.
+    // The point of the pixel's own quarter that lies (by, by) pixels beside its centre, each -1/2, 0 or 1/2:
+    // its colour, and where it goes; none when the target does not see it. How deep it lies is the grid's
+    // choice: most take the pixel's depth.
+    { grid.color(x, y, by, by) } -> std::convertible_to<LinearRgb>;
     { grid.moved(x, y, by, by) } -> std::same_as<std::optional<MovedPoint>>;
 };
 
@@ -79,8 +80,9 @@ class Drawing {
         constexpr double most = 2 * pipeline::max_picture_size;
         if (!p || !(std::fabs(p->u) <= most && std::fabs(p->v) <= most)) return {{}, {}, false};
         const auto snapped = [](double place) { return static_cast<std::int32_t>(std::lrint(256 * place)); };
-        return {
-            {snapped(p->u), snapped(p->v), 0, static_cast<Scalar>(1 / p->depth)}, grid_.color(x, y), true};
+        return {{snapped(p->u), snapped(p->v), 0, static_cast<Scalar>(1 / p->depth)},
+                grid_.color(x, y, by_u, by_v),
+                true};
     }
 
     void quarter(int x, int y, double from_u, double from_v) {

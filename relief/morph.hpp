@@ -58,7 +58,7 @@ class Grid {
     bool covered(int x, int y) const {
         return view_.coverage.holds(x, y) && view_.coverage.at(x, y) && to_.known.at(x, y);
     }
-    LinearRgb color(int x, int y) const { return view_.color.at(x, y); }
+    LinearRgb color(int x, int y, double, double) const { return view_.color.at(x, y); }
     double depth(int x, int y) const { return double{view_.depth.at(x, y)}; }
     std::optional<MovedPoint> moved(int x, int y, double by_u, double by_v) const {
         const glm::dvec2 here(x + 0.5, y + 0.5), there(to_.place.at(x, y)), by(by_u, by_v);

@@ -26,15 +26,19 @@ class Grid {
     int width() const { return texture_.camera.width; }
     int height() const { return texture_.camera.height; }
     bool covered(int x, int y) const { return texture_.coverage.holds(x, y) && texture_.coverage.at(x, y); }
-    LinearRgb color(int x, int y) const { return texture_.color.at(x, y); }
+    LinearRgb color(int x, int y, double, double) const { return texture_.color.at(x, y); }
     double depth(int x, int y) const {
         return glm::dot(world_point(texture_, x, y) - texture_.camera.corner, forward(texture_.camera));
     }
     std::optional<MovedPoint> moved(int x, int y, double by_u, double by_v) const {
-        const double u = x + 0.5 + by_u, v = y + 0.5 + by_v;
-        const glm::dvec3 p = texture_.camera.projection == Projection::Orthographic
-                                 ? world_point(texture_.camera, u, v, displacement(texture_, x, y))
-                                 : world_point(texture_.camera, u, v, disparity(texture_, x, y));
+        return moved(x + 0.5 + by_u, y + 0.5 + by_v, texture_.depth.at(x, y));
+    }
+    // The point at (u, v) of the texture's plane, with a displacement or disparity of its own.
+    std::optional<MovedPoint> moved(double u, double v, Scalar depth) const {
+        const ReliefCamera& camera = texture_.camera;
+        const glm::dvec3 p = camera.projection == Projection::Orthographic
+                                 ? world_point(camera, u, v, Displacement{depth})
+                                 : world_point(camera, u, v, Disparity{depth});
         const glm::dvec3 s = screen_from_world_ * (p - viewer_.eye);  // (x, y, 1) times z
         if (!(s.z > 0)) return {};
         return MovedPoint{s.x / s.z, s.y / s.z, s.z * distance_};
