@@ -291,6 +291,7 @@ template <bool maps, class Method, class Emit>
                                         Emit& emit) {
     const Carried<maps> c = carried_by<maps>(relief.carried.row(row.y)[k], k, row.y);
     Carried<maps> end = c;
+    __builtin_prefetch(relief.growth_u.row(row.next_y) + k, 0, 2);  // an outline goes on close by
     const Scalar depth = depth_beyond(c.depth(), relief.growth_u.row(row.y)[k]),
                  weight = weight_at(depth, warp),
                  u = warped_u(static_cast<Scalar>(2 * k + 1 + side) / 2, depth, warp) -
@@ -306,6 +307,18 @@ template <bool maps, class Method, class Emit>
                                  false, warp, emit);
 }
 
+// A row is further away than processors look ahead; of the row that follows, what warping it reads first.
+// Inlined always: a function that does nothing else counts as one without effect and would be left out.
+[[gnu::always_inline]] inline void ask_for_next_row(const PreparedRelief& relief, const WarpedRow& row) {
+    constexpr int line = 64;  // bytes
+    const raster::Span texels{row.wanted.front().x0, row.wanted.back().x1};
+    const Scalar* const parameter = relief.parameter.row(row.next_y);
+    const Gap* const gap = relief.gap.row(row.next_y);
+    for (int x = texels.x0; x < texels.x1; x += line / int(sizeof(Scalar)))
+        __builtin_prefetch(parameter + x, 0, 2);
+    for (int x = texels.x0; x < texels.x1; x += line) __builtin_prefetch(gap + x, 0, 2);
+}
+
 // The samples of a row in the order of painting: emit(x, sample) for one in pixel column x, where
 // sample() computes it. Method: what is interpolated how
 // (resample_picture.hpp).
@@ -316,6 +329,7 @@ void resample_row(const PreparedRelief& relief, WarpedRow& row, const DepthWarp&
     const Gap* const gaps = relief.gap.row(row.y) + 1;
     const Carried<false>*const carried = relief.carried.row(row.y), *const next =
                                                                         relief.carried.row(row.next_y);
+    ask_for_next_row(relief, row);
     sample_gaps(gaps, relief.covered[std::size_t(row.y)], row);
     const raster::Span texels{row.wanted.front().x0, row.wanted.back().x1};
     const std::size_t spans = row.wanted.size();
@@ -343,7 +357,7 @@ void resample_row(const PreparedRelief& relief, WarpedRow& row, const DepthWarp&
             for (int left = to - from + 1; left > 0; --left, at += run.step) {
                 const int k = static_cast<int>(at);
                 const WarpedRow::Work work = row.work[k + 1];
-                __builtin_prefetch(next + at, 0, 2);  // a row is further away than processors look ahead
+                __builtin_prefetch(next + at, 0, 2);  // little by little: all at once would be in the way
                 if (work == WarpedRow::None) continue;
                 if (work == WarpedRow::OneSample) [[likely]] {
                     emit(static_cast<int>(row.from[k]), [&] { return first_sample(k); });
