@@ -6,6 +6,8 @@
 //
 // Edge values are planes over the pixels of the tile, exact (below 2^50):
 //   E_k (x, y) = e_k + x across_k + y down_k     k = 1, 2          E_0 = area - E_1 - E_2
+// Where a triangle is seen they lie between 0 and its area. So int32 is enough for small triangles, of an
+// area below 2^31 (in 1/256 pixel: 16,384 pixels), whatever overflows on the way.
 #pragma once
 #include "raster/fast/shade_setup.hpp"
 #include "raster/fast/stages.hpp"
@@ -13,8 +15,10 @@
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
 struct SetupGroup {
-    double e1[lanes], across1[lanes], down1[lanes], e2[lanes], across2[lanes], down2[lanes], area[lanes];
-    double rw[3][lanes];
+    double edges[7][lanes];              // e1, across1, down1, e2, across2, down2, area
+    std::int32_t small_edges[7][lanes];  // the same, mod 2^32
+    bool small;                          // all triangles are
+    float rw[3][lanes];
     float plane[max_carried][3][lanes];  // a0, d1, d2 of each number that is carried
     float face[6][lanes];                // amount, gloss
     float color[3][lanes];               // where nothing is carried: of every pixel
@@ -46,7 +50,7 @@ RELEVO_LANE void keep(const DrawState& draw, std::uint32_t model, const LaneSetu
     const Bools mask = from_bits(which);
     const auto put = [&](Floats value, float* row)
                          RELEVO_INSIDE { store(select(mask, value, load(row)), row); };
-    const auto put_words = [&](Ints value, std::uint32_t* row)
+    const auto put_words = [&](Ints value, auto* row)
                                RELEVO_INSIDE { store(select(mask, value, load(row)), row); };
     const auto put_wide = [&](Doubles value, double* row)
                               RELEVO_INSIDE { store(select(mask, value, load(row)), row); };
@@ -58,11 +62,15 @@ RELEVO_LANE void keep(const DrawState& draw, std::uint32_t model, const LaneSetu
         put_words(to_whole(packed_rgba8(c, draw.settings.output)), to.packed);
     } else {
         const EdgeValuesOf<Floats> e = edge_values(s, Ints(x0), Ints(y0));
-        put_wide(e.e1, to.e1), put_wide(e.e2, to.e2), put_wide(s.area, to.area);
-        put_wide(s.dy2 * Doubles(256.0), to.across1), put_wide(s.dy1 * Doubles(-256.0), to.across2);
-        put_wide(s.dx2 * Doubles(-256.0), to.down1), put_wide(s.dx1 * Doubles(256.0), to.down2);
-        put_wide(to_wide(s.rw0), to.rw[0]), put_wide(to_wide(s.rw1), to.rw[1]);
-        put_wide(to_wide(s.rw2), to.rw[2]);
+        const Doubles edges[7] = {e.e1,  s.dy2 * Doubles(256.0),  s.dx2 * Doubles(-256.0),
+                                  e.e2,  s.dy1 * Doubles(-256.0), s.dx1 * Doubles(256.0),
+                                  s.area};
+        for (int k = 0; k < 7; ++k) {
+            put_wide(edges[k], to.edges[k]);
+            put_words(low_words(edges[k]), to.small_edges[k]);
+        }
+        to.small &= !any(!(s.area < Doubles(0x1p31)) && mask);
+        put(s.rw0, to.rw[0]), put(s.rw1, to.rw[1]), put(s.rw2, to.rw[2]);
         for (std::size_t j = 0; j < Program::size; ++j) {
             const VaryingPlane<1, Floats> plane = s.plane(j);
             put(plane.a0[0], to.plane[j][0]), put(plane.d1[0], to.plane[j][1]);

@@ -229,6 +229,11 @@ RELEVO_LANE Floats rounded(Doubles a) {
     return Floats(hn::Combine(TagF(), hn::DemoteTo(HalfF(), a.high), hn::DemoteTo(HalfF(), a.low)));
 #endif
 }
+// Whole numbers below 2^51, mod 2^32: in the sum they are the last digits.
+RELEVO_LANE Ints low_words(Doubles a) {
+    const Doubles sum = a + Doubles(0x1.8p52);
+    return Ints(hn::ConcatEven(TagI(), hn::BitCast(TagI(), sum.high), hn::BitCast(TagI(), sum.low)));
+}
 RELEVO_LANE Doubles to_big(Ints a) { return to_wide(a); }
 // The processor's own conversions: of numbers within int32; hn's would take care of others, too.
 RELEVO_LANE Ints nearest(Doubles a) {  // ties to even
@@ -294,6 +299,27 @@ RELEVO_LANE Ints compress(Ints a, Bools mask) {
 }
 #endif
 RELEVO_LANE Floats compress(Floats a, Bools mask) { return bits_float(compress(float_bits(a), mask)); }
+
+// The lanes whose number stands in no lane before them.
+#if HWY_TARGET <= HWY_AVX3
+RELEVO_LANE Bools first_of_equals(Ints a) {
+    return {hn::RebindMask(TagF(), hn::Mask<TagI>{_mm512_testn_epi32_mask(_mm512_conflict_epi32(a.v.raw),
+                                                                          _mm512_set1_epi32(-1))})};
+}
+#else
+template <int... by>
+RELEVO_LANE Bools first_of_equals(Ints a, std::integer_sequence<int, by...>) {
+    // lane k beside lane k - 1 - by, or beside the first
+    const auto before = [&](int distance) RELEVO_INSIDE {
+        const Ints from = max(lane_numbers() - Ints(distance), Ints(0));
+        return Ints(hn::TableLookupLanes(a.v, hn::IndicesFromVec(TagI(), from.v))) == a;
+    };
+    return (!(... || before(by + 1))) || first_lanes(1);
+}
+RELEVO_LANE Bools first_of_equals(Ints a) {
+    return first_of_equals(a, std::make_integer_sequence<int, lanes - 1>());
+}
+#endif
 
 // ------------------------------------------------------------------------------------------------ memory
 // Of N values in a row; `aligned` ones stand on a multiple of the register's size.

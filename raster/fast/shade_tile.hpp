@@ -18,7 +18,7 @@
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
 // With more triangles in a block it is faster that every lane sets up its own.
-inline constexpr int most_seen = lanes == 16 ? 6 : lanes == 8 ? 5 : 3;
+inline constexpr int most_seen = lanes == 16 ? 8 : lanes == 8 ? 5 : 3;
 
 // Calls use(Program{}) with the program of the model: textured or not.
 template <template <bool> class Program, class Use>
@@ -37,7 +37,7 @@ struct TileAt {
 // A block of pixels: where it stands in the tile, and which of its lanes show a triangle.
 struct BlockAt {
     int row, column;
-    Doubles x, y;  // of its pixels
+    Ints x, y;  // of its pixels
     std::uint32_t covered;
     Ints numbers;  // of the triangles
 };
@@ -176,6 +176,7 @@ template <template <bool> class Program>
 [[gnu::noinline, gnu::flatten]] void prepare(const TileAt& at, std::uint32_t group, KeptSetups& kept) {
     const std::uint32_t first = group * lanes, slot = group % KeptSetups::slots;
     const int left = at.listed - static_cast<int>(first);
+    kept.groups[slot].small = true;  // until one is not
     for_each_model(at.draw, load(at.scratch.ids + first), bits(first_lanes(left < lanes ? left : lanes)),
                    [&](std::uint32_t number, std::uint32_t which, const LaneIds& ids) RELEVO_INSIDE {
                        const ModelState& model = at.draw.models[number];
@@ -195,22 +196,17 @@ struct Seen {
     int count = 0;
 };
 
-RELEVO_LANE std::uint32_t number_in(const TileAt& at, const BlockAt& block, int lane) {
-    const TileMemory& tile = at.scratch.tile;
-    return tile
-        .visible[(block.row + lane / block_columns) * tile.stride + block.column + lane % block_columns];
-}
 // False when there are too many.
-RELEVO_LANE bool find_seen(const TileAt& at, const BlockAt& block, Seen& seen) {
-    std::uint32_t rest = block.covered;
-    do {
-        if (seen.count == most_seen) return false;
-        const std::uint32_t number = number_in(at, block, std::countr_zero(rest));
-        const Bools mine = block.numbers == Ints(static_cast<std::int32_t>(number));
-        seen.number[seen.count] = number;
-        seen.lanes_of[seen.count++] = mine;
-        rest &= ~bits(mine);
-    } while (rest != 0);
+RELEVO_LANE bool find_seen(const BlockAt& block, Seen& seen) {
+    std::uint32_t firsts = bits(first_of_equals(block.numbers)) & block.covered;
+    seen.count = std::popcount(firsts);
+    if (seen.count > most_seen) return false;
+    alignas(64) std::uint32_t numbers[lanes];
+    store(block.numbers, numbers);
+    for (int n = 0; n < seen.count; ++n, firsts &= firsts - 1) {
+        seen.number[n] = numbers[std::countr_zero(firsts)];
+        seen.lanes_of[n] = block.numbers == Ints(static_cast<std::int32_t>(seen.number[n]));
+    }
     return true;
 }
 template <template <bool> class Program>
@@ -228,29 +224,53 @@ RELEVO_LANE bool find_setups(const TileAt& at, KeptSetups& kept, Seen& seen) {
     return true;
 }
 
-// In each lane the numbers of the triangle that it shows.
+// In each lane the numbers of the triangle that it shows. Number: Doubles or, where all triangles are small,
+// Ints, of which a register holds twice as many.
+template <class Number>
 struct EdgePlanes {
-    Doubles e1, across1, down1, e2, across2, down2, area, rw0, rw1, rw2;
+    Number e1, across1, down1, e2, across2, down2, area;
+    Floats rw0, rw1, rw2;
 };
-RELEVO_LANE EdgePlanes edge_planes(const KeptSetup& t) {
+template <class Number>
+RELEVO_LANE EdgePlanes<Number> edge_planes(const KeptSetup& t) {
     const SetupGroup& g = *t.group;
     const std::uint32_t k = t.column;
-    return {g.e1[k],    g.across1[k], g.down1[k], g.e2[k],    g.across2[k],
-            g.down2[k], g.area[k],    g.rw[0][k], g.rw[1][k], g.rw[2][k]};
+    const auto planes = [&](const auto& e) RELEVO_INSIDE {
+        return EdgePlanes<Number>{e[0][k], e[1][k], e[2][k],    e[3][k],    e[4][k],
+                                  e[5][k], e[6][k], g.rw[0][k], g.rw[1][k], g.rw[2][k]};
+    };
+    if constexpr (std::is_same_v<Number, Ints>)
+        return planes(g.small_edges);
+    else
+        return planes(g.edges);
 }
-RELEVO_LANE EdgePlanes select(const WideBools& mask, const EdgePlanes& yes, const EdgePlanes& no) {
-    return {select(mask, yes.e1, no.e1),           select(mask, yes.across1, no.across1),
-            select(mask, yes.down1, no.down1),     select(mask, yes.e2, no.e2),
-            select(mask, yes.across2, no.across2), select(mask, yes.down2, no.down2),
-            select(mask, yes.area, no.area),       select(mask, yes.rw0, no.rw0),
-            select(mask, yes.rw1, no.rw1),         select(mask, yes.rw2, no.rw2)};
+RELEVO_LANE Bools mask_for(Ints, Bools mask) { return mask; }
+RELEVO_LANE WideBools mask_for(const Doubles&, Bools mask) { return widen(mask); }
+template <class Number>
+RELEVO_LANE EdgePlanes<Number> select(Bools mask, const EdgePlanes<Number>& yes,
+                                      const EdgePlanes<Number>& no) {
+    const auto m = mask_for(Number(), mask);
+    return {select(m, yes.e1, no.e1),     select(m, yes.across1, no.across1), select(m, yes.down1, no.down1),
+            select(m, yes.e2, no.e2),     select(m, yes.across2, no.across2), select(m, yes.down2, no.down2),
+            select(m, yes.area, no.area), select(mask, yes.rw0, no.rw0),      select(mask, yes.rw1, no.rw1),
+            select(mask, yes.rw2, no.rw2)};
 }
-template <class Real>
-RELEVO_LANE PerspectiveWeightsOf<Real> weights_at(const EdgePlanes& p, const Wide<Real>& x,
-                                                  const Wide<Real>& y) {
-    const Wide<Real> e1 = p.e1 + x * p.across1 + y * p.down1, e2 = p.e2 + x * p.across2 + y * p.down2;
-    return perspective_weights<Real>(InterpolatorOf<Floats>{{}, {}, {}, p.rw0, p.rw1, p.rw2},
-                                     EdgeValuesOf<Real>{p.area - e1 - e2, e1, e2});
+// At the pixels (x, y), of one block or of two.
+template <class Real, class Number, class Place>
+RELEVO_LANE PerspectiveWeightsOf<Real> weights_at(const EdgePlanes<Number>& p, const Place& x,
+                                                  const Place& y) {
+    const auto as_number = [](const Place& a) RELEVO_INSIDE {
+        if constexpr (std::is_same_v<Number, Ints>)
+            return a;
+        else
+            return to_wide(a);
+    };
+    const auto across = as_number(x), down = as_number(y);
+    const auto e1 = p.e1 + across * p.across1 + down * p.down1,
+               e2 = p.e2 + across * p.across2 + down * p.down2;
+    return perspective_weights<Real>(
+        InterpolatorOf<Floats>{{}, {}, {}, to_wide(p.rw0), to_wide(p.rw1), to_wide(p.rw2)},
+        EdgeValuesOf<Real>{to_wide(p.area - e1 - e2), to_wide(e1), to_wide(e2)});
 }
 
 template <class Program>
@@ -312,7 +332,7 @@ RELEVO_LANE void shade_one(const TileAt& at, WaitingBlocks& waiting, const Block
             write_block(at, Words(g.packed[k]), {g.color[0][k], g.color[1][k], g.color[2][k]}, block.covered,
                         block.row, block.column);
         } else {
-            const auto weights = weights_at<Floats>(edge_planes(t), block.x, block.y);
+            const auto weights = weights_at<Floats>(edge_planes<Doubles>(t), block.x, block.y);
             const CarriedPlanes<P> planes = carried_planes<P>(t);
             light<Program, P>(at, waiting, model, interpolate(planes.plane, weights), planes.face,
                               block.covered, block.row, block.column);
@@ -332,8 +352,8 @@ RELEVO_LANE void shade_pair(const TileAt& at, const BlockAt& left, const KeptSet
             const std::uint32_t k = t.column;
             c = {g.color[0][k], g.color[1][k], g.color[2][k]}, packed = g.packed[k];
         } else {
-            const Twice<Doubles> x{left.x, left.x + Doubles(block_columns)};
-            const auto weights = weights_at<Floats2>(edge_planes(t), x, left.y);
+            const Twice<Ints> x{left.x, left.x + Ints(block_columns)}, y = left.y;
+            const auto weights = weights_at<Floats2>(edge_planes<Doubles>(t), x, y);
             const CarriedPlanes<P> planes = carried_planes<P>(t);
             const auto carried = interpolate<P::size, Floats, Floats2>(planes.plane, weights);
             FaceOf<P, Floats2> face{};
@@ -353,7 +373,7 @@ RELEVO_LANE void shade_pair(const TileAt& at, const BlockAt& left, const KeptSet
 template <template <bool> class Program>
 RELEVO_LANE bool shade_few(const TileAt& at, KeptSetups& kept, WaitingBlocks& waiting, const BlockAt& block) {
     Seen seen;
-    if (!find_seen(at, block, seen) || !find_setups<Program>(at, kept, seen)) return false;
+    if (!find_seen(block, seen) || !find_setups<Program>(at, kept, seen)) return false;
     const ModelState& model = model_of(at, seen.setup[0]);
     for (int n = 1; n < seen.count && at.draw.models.size() > 1; ++n)
         if (&model_of(at, seen.setup[n]) != &model) return false;
@@ -361,10 +381,15 @@ RELEVO_LANE bool shade_few(const TileAt& at, KeptSetups& kept, WaitingBlocks& wa
         if constexpr (P::size == 0) {
             shade_colors(at, kept, block);
         } else {
-            EdgePlanes edges = edge_planes(seen.setup[0]);
-            for (int n = 1; n < seen.count; ++n)
-                edges = select(widen(seen.lanes_of[n]), edge_planes(seen.setup[n]), edges);
-            const auto weights = weights_at<Floats>(edges, block.x, block.y);
+            bool small = true;
+            for (int n = 0; n < seen.count; ++n) small &= seen.setup[n].group->small;
+            const auto weights_by = [&]<class Number>(Number) RELEVO_INSIDE {
+                EdgePlanes<Number> edges = edge_planes<Number>(seen.setup[0]);
+                for (int n = 1; n < seen.count; ++n)
+                    edges = select(seen.lanes_of[n], edge_planes<Number>(seen.setup[n]), edges);
+                return weights_at<Floats>(edges, block.x, block.y);
+            };
+            const auto weights = small ? weights_by(Ints()) : weights_by(Doubles());
             CarriedPlanes<P> planes = carried_planes<P>(seen.setup[0]);
             for (int n = 1; n < seen.count; ++n)
                 planes = select<P>(seen.lanes_of[n], carried_planes<P>(seen.setup[n]), planes);
@@ -389,9 +414,9 @@ template <template <bool> class Program>
         return setup;
     };
     for (int row = 0; row < at.box.height; row += block_rows) {
-        const Doubles y = to_wide(Ints(row) + lane_rows());
-        Doubles x = to_wide(lane_columns());
-        for (int column = 0; column < at.box.width; column += block_columns, x = x + Doubles(block_columns)) {
+        const Ints y = Ints(row) + lane_rows();
+        for (int column = 0; column < at.box.width; column += block_columns) {
+            const Ints x = Ints(column) + lane_columns();
             write_background_row(at.draw, at.scratch.background);
             const std::uint32_t* visible = tile.visible + row * tile.stride + column;
             const Ints numbers = load_block(visible, tile.stride);
@@ -408,7 +433,7 @@ template <template <bool> class Program>
                 if (all(next == numbers)) {
                     shaded += lanes;
                     shade_pair<Program>(at, block, set_up_of(first));
-                    column += block_columns, x = x + Doubles(block_columns);
+                    column += block_columns;
                 } else {
                     shade_one<Program>(at, waiting, block, set_up_of(first));
                 }

@@ -21,7 +21,7 @@ struct TileScratch {
     std::byte* kept = nullptr;     // set-ups of triangles for shading, kept_bytes
     Background background;         // is empty when the tile is done
 };
-inline constexpr std::size_t kept_triangles = 2048, kept_bytes = kept_triangles * 220;
+inline constexpr std::size_t kept_triangles = 2048, kept_bytes = kept_triangles * 240;
 
 struct Stages {
     // Vertices first..last-1 of a model, `first` a multiple of 16: window and carried numbers.

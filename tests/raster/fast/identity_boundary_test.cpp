@@ -246,6 +246,30 @@ TEST(Boundary, AFanOfTenThousand) {
     }
 }
 
+// Edge values up to 2^31 and more: 128 x 256 pixels have an area of 2^31, in 1/256 pixel. Small triangles and
+// large ones meet along upright edges and along diagonals, both ways round, at all places within a block.
+TEST(Boundary, AreasAtTheRangeOfInt32) {
+    const Size size{607, 277};
+    for (const View view : {View::Parallel, View::Perspective})
+        for (const int more : {-1, 0, 1, 3 * 256 + 1, 100 * 256}) {
+            WindowScene scene(size, view);
+            const double top = 7 * pixel + 128, bottom = top + 256 * pixel;
+            const auto corner = [&](double x, double y) {
+                const int k = static_cast<int>(x / pixel + y / 7) % 5;
+                return Corner{x, y, Scalar(0.25) + Scalar(0.125) * Scalar(k), 1.0 + k};
+            };
+            double left = 5 * pixel + 77;
+            for (const int width : {128 * 256, 128 * 256 + more, 128 * 256 - more, 5 * 256 + 3, 180 * 256}) {
+                const double right = left + width;
+                scene.add({corner(left, top), corner(right, top), corner(left, bottom)});
+                scene.add({corner(right, top), corner(right, bottom), corner(left, bottom)});
+                left = right;
+            }
+            ASSERT_TRUE(is_same_few(scene)) << more;
+            ASSERT_TRUE(is_same_few(scene, gouraud())) << more;
+        }
+}
+
 TEST(Boundary, AHundredModelsInOneTile) {
     for (const View view : {View::Parallel, View::Perspective})
         for (const raster::Shading shading : {raster::Shading::Unlit, raster::Shading::Flat,
