@@ -246,13 +246,21 @@ relief::ReliefCamera read_camera(JsonFields& json) {
     return camera;
 }
 
+FileError cannot_write(const std::string& path, const std::string& why) {
+    return error_in(path, "cannot be written: " + why);
+}
+
 }  // namespace
 
+Failure refused_relief_name(const std::string& path) {
+    if (path.ends_with(".json")) return {};
+    return cannot_write(path, "the name of a relief texture ends in .json");
+}
+
 Failure write_relief(const std::string& path, const ReliefTexture& texture, ReliefNumbers numbers) {
-    const auto refuse = [&](const std::string& why) { return error_in(path, "cannot be written: " + why); };
-    if (!path.ends_with(".json")) return refuse("the name of a relief texture ends in .json");
-    if (const auto refused = refusal(texture)) return refuse(refused->message);
-    if (const Failure failure = not_finite(texture, path, path)) return refuse(failure->message);
+    if (const Failure failure = refused_relief_name(path)) return failure;
+    if (const auto refused = refusal(texture)) return cannot_write(path, refused->message);
+    if (const Failure failure = not_finite(texture, path, path)) return cannot_write(path, failure->message);
     Encoded encoded;
     encoded.fields = {{"relief_texture", version},
                       {"camera", to_json(texture.camera)},

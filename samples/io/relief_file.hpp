@@ -33,6 +33,7 @@ enum class ReliefNumbers { Float, Bits16, Bits8 };
 // Writes `path`, which ends in ".json", and the pictures beside it: all of them or none. Texels without a
 // surface are written as zeros. Errors: what relief::refusal refuses, a colour or a normal of a surface that
 // is not finite, another ending, and those of write_files.
+Failure refused_relief_name(const std::string& path);  // what write_relief says of another ending
 Failure write_relief(const std::string& path, const relief::ReliefTexture& texture, ReliefNumbers numbers);
 
 // Errors, at the place in the JSON file: no JSON, a field that is missing, unknown or of the wrong kind, a

@@ -225,6 +225,8 @@ int render(const RenderOptions& options) {
     }
     const auto threads = parse_threads(options.threads);
     if (!threads) return refuse(threads.error());
+    if (!options.relief.empty())
+        if (const io::Failure failure = io::refused_relief_name(options.relief)) return refuse(*failure);
     scene::SceneOptions scene_options{options.set, std::nullopt};
     if (!options.size.empty()) {
         const auto size = scene::parse_size(options.size);

@@ -92,6 +92,9 @@ TEST(RenderRelief, TheReliefItselfIsWritten) {
     EXPECT_NEAR(texture->depth.at(8, 8), 0, 0.01);  // the ball touches the plane
     EXPECT_EQ(run(folder, "render still.toml --relief none.json").err,
               "--relief none.json: this scene has no object that is shown by pictures (representation)\n");
+    // before a scene is read, let alone its pictures taken
+    EXPECT_EQ(run(folder, "render missing.toml --relief ball.exr").err,
+              "ball.exr: cannot be written: the name of a relief texture ends in .json\n");
 }
 
 TEST(RenderRelief, EverySampleSceneIsDrawnAndTakenApart) {
