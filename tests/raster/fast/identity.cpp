@@ -1,9 +1,12 @@
 #include "tests/raster/fast/identity.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <map>
 #include <memory>
+#include <span>
 #include <sstream>
 
 namespace relevo::tests::identity {
@@ -42,8 +45,8 @@ namespace {
 Frame spoiled_frame(Size size, bool with_linear) {
     Frame frame = frame_of(size.width, size.height, with_linear);
     const auto spoil = [](auto& image) {
-        std::memset(static_cast<void*>(image.pixels().data()), 0xa5,
-                    image.pixels().size() * sizeof image.pixels()[0]);
+        const auto bytes = std::as_writable_bytes(std::span(image.pixels()));
+        std::ranges::fill(bytes, std::byte{0xa5});
     };
     spoil(frame.color), spoil(frame.depth), spoil(frame.linear);
     return frame;
