@@ -61,7 +61,10 @@ int encode_image(const ImageShape& shape, const void* rows, TakeBytes take, void
     const auto output = OIIO::ImageOutput::create(name, &file);
     if (!output) return report.failed(OIIO::geterror());
     OIIO::ImageSpec spec(shape.width, shape.height, shape.channels, type_of(shape.kind));
-    if (shape.kind == NumberKind::Float) spec.attribute("compression", "zip");
+    if (shape.kind == NumberKind::Float) {
+        spec.attribute("compression", "zip");
+        spec.attribute("DateTime", "");  // else the hour is written, and no two files have the same bytes
+    }
     if (shape.kind == NumberKind::Float && shape.channels == 1) spec.channelnames = {"Z"}, spec.z_channel = 0;
     if (!output->open(name, spec) || !output->write_image(spec.format, rows) || !output->close())
         return report.failed(output->geterror());

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <thread>
 
 #include "relief/quantize.hpp"
 #include "relief/ray_cast.hpp"
@@ -116,6 +118,17 @@ TEST(ReliefFile, FewerBitsStayWithinTheirBounds) {
         check_bounds<std::uint8_t>(texture, there_and_back(folder, texture, ReliefNumbers::Bits8), 0.0045,
                                    std::sqrt(3) / 254);
     }
+}
+
+TEST(ReliefFile, TheHourLeavesNoTrace) {
+    const TemporaryFolder folder;
+    const auto written = [&] {
+        EXPECT_FALSE(write_relief(folder.path("x.json"), orthographic(), ReliefNumbers::Float));
+        return bytes_of(folder.path("x-color.exr")) + bytes_of(folder.path("x-depth.exr"));
+    };
+    const std::string now = written();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // EXR keeps seconds
+    EXPECT_TRUE(now == written());
 }
 
 TEST(ReliefFile, WhatWasReadIsWrittenAsTheSameBytes) {
