@@ -164,4 +164,31 @@ inline Correspondence optical_flow(const ViewImage& from, const ViewImage& to,
     return c;
 }
 
+// How far a flow is from the true correspondence (morph.hpp), over the pixels of `from` that both views see.
+// They see the same point where their depths of it differ by less than `jump`.
+struct FlowError {
+    Image<Scalar> off;  // pixels; negative where the flow knows nothing or one of the views shows nothing
+    int visible = 0, known = 0, near = 0;  // seen by both; of these the flow knows, and within a pixel
+    double mean = 0;                       // of the known, pixels
+};
+inline FlowError flow_error(const ViewImage& from, const ViewImage& to, const Correspondence& truth,
+                            const Correspondence& flow, Scalar jump) {
+    FlowError error{{from.width(), from.height(), Scalar(-1)}};
+    for (int y = 0; y < from.height(); ++y)
+        for (int x = 0; x < from.width(); ++x) {
+            if (!from.coverage.at(x, y) || !truth.known.at(x, y)) continue;
+            const Vec2 right = truth.place.at(x, y);
+            const int i = static_cast<int>(std::floor(right.x)), j = static_cast<int>(std::floor(right.y));
+            if (!to.coverage.holds(i, j) || !to.coverage.at(i, j)) continue;
+            if (std::fabs(to.depth.at(i, j) - truth.depth.at(x, y)) > jump) continue;  // hidden there
+            ++error.visible;
+            if (!flow.known.at(x, y)) continue;
+            const Scalar off = glm::length(flow.place.at(x, y) - right);
+            error.off.at(x, y) = off, error.mean += double{off};
+            ++error.known, error.near += off <= 1;
+        }
+    if (error.known > 0) error.mean /= error.known;
+    return error;
+}
+
 }  // namespace relevo::relief

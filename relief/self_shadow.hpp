@@ -27,6 +27,7 @@
 
 #include "pipeline/probe.hpp"
 #include "relief/inverse_view.hpp"
+#include "relief/ray_cast.hpp"
 
 namespace relevo::relief {
 
@@ -90,38 +91,64 @@ bool is_blocked(const ReliefSolid& solid, const LightRay& ray, const ShadowSetti
     return false;
 }
 
-// Whether the light reaches what a search found: the surface looks towards it and nothing stands between.
+// What a light does at a pixel: no surface is seen there; the surface turns its back to the light; something
+// stands between the two; the light arrives.
+enum class Illumination : std::uint8_t { Nothing, TurnedAway, Blocked, Lit };
+
+// At the point that a search found.
 template <class Probe = const pipeline::NoProbe>
-bool is_lit(const ReliefTexture& texture, const ReliefSolid& solid, const ReliefHit& hit,
-            const ReliefLight& light, const ShadowSettings& settings = {}, Probe&& probe = {}) {
+Illumination illumination(const ReliefTexture& texture, const ReliefSolid& solid, const ReliefHit& hit,
+                          const ReliefLight& light, const ShadowSettings& settings = {}, Probe&& probe = {}) {
     const auto shares = solid.shares(hit.u, hit.v);
     const glm::dvec3 normal = !shares ? glm::dvec3(texture.normal.at(hit.x, hit.y))
                                       : weighted_sum(*shares, glm::dvec3(0), [&](int x, int y, double share) {
                                             return share * glm::dvec3(texture.normal.at(x, y));
                                         });
     const glm::dvec3 x = inward_point(texture.camera, hit.u, hit.v, hit.z);
-    if (!(glm::dot(normal, glm::dvec3(light.place) - light.place.w * x) > 0)) return false;
-    return !is_blocked(solid, light_ray(texture.camera, {hit.u, hit.v, hit.z}, light), settings, probe);
+    if (!(glm::dot(normal, glm::dvec3(light.place) - light.place.w * x) > 0)) return Illumination::TurnedAway;
+    const LightRay ray = light_ray(texture.camera, {hit.u, hit.v, hit.z}, light);
+    return is_blocked(solid, ray, settings, probe) ? Illumination::Blocked : Illumination::Lit;
 }
-
-enum class Lit : std::uint8_t { Nothing, InShadow, InLight };
 
 // For every pixel of a viewer's screen what the light does there; `find` and the errors as for inverse_view.
 template <class Find>
-Result<Image<Lit>> inverse_shadows(const ReliefTexture& texture, const ReliefSolid& solid,
-                                   const ReliefCamera& viewer, Find&& find, const ReliefLight& light,
-                                   const ShadowSettings& settings = {}) {
+Result<Image<Illumination>> inverse_shadows(const ReliefTexture& texture, const ReliefSolid& solid,
+                                            const ReliefCamera& viewer, Find&& find, const ReliefLight& light,
+                                            const ShadowSettings& settings = {}) {
     const auto rays = relief_rays(texture.camera, viewer);
     if (!rays) return rays.error();
-    Image<Lit> lit(viewer.width, viewer.height, Lit::Nothing);
+    Image<Illumination> seen(viewer.width, viewer.height, Illumination::Nothing);
     for (int y = 0; y < viewer.height; ++y)
         for (int x = 0; x < viewer.width; ++x) {
             const auto ray = rays->through(x + 0.5, y + 0.5);
             const std::optional<ReliefHit> hit = ray ? find(*ray) : std::optional<ReliefHit>();
-            if (hit)
-                lit.at(x, y) = is_lit(texture, solid, *hit, light, settings) ? Lit::InLight : Lit::InShadow;
+            if (hit) seen.at(x, y) = illumination(texture, solid, *hit, light, settings);
         }
-    return lit;
+    return seen;
+}
+
+// The truth of a surface that rays can be cast at: a second ray, from what the line of sight meets to the
+// light.
+template <RayCastable Surface>
+Image<Illumination> cast_shadows(const Surface& surface, const ReliefCamera& viewer,
+                                 const ReliefLight& light) {
+    Image<Illumination> seen(viewer.width, viewer.height, Illumination::Nothing);
+    for (int y = 0; y < viewer.height; ++y)
+        for (int x = 0; x < viewer.width; ++x) {
+            const Ray sight = capture_ray(viewer, x + 0.5, y + 0.5);
+            const auto hit = first_hit(surface, sight);
+            if (!hit) continue;
+            const glm::dvec3 to_hit = hit->t * sight.direction, p = sight.origin + to_hit,
+                             way = glm::dvec3(light.place) - light.place.w * p;
+            // a little off the surface, so that it does not stand in its own light
+            const double off = 1e-6 * std::sqrt(glm::dot(to_hit, to_hit));
+            const auto between = first_hit(surface, Ray{p + off * hit->normal, way});
+            const bool blocked = between && (light.place.w == 0 || between->t < 1);
+            seen.at(x, y) = !(glm::dot(hit->normal, way) > 0) ? Illumination::TurnedAway
+                            : blocked                         ? Illumination::Blocked
+                                                              : Illumination::Lit;
+        }
+    return seen;
 }
 
 }  // namespace relevo::relief

@@ -33,18 +33,6 @@ Rgba8 rank_color(double share) {
     return mixed(steps[i], steps[i + 1], static_cast<int>(255 * (place - static_cast<double>(i)) + 0.5));
 }
 
-// A direction as a colour of the wheel, and the share of the longest as its strength.
-Rgba8 direction_color(double u, double v, double longest) {
-    const double length = std::sqrt(u * u + v * v);
-    if (!(length > 0)) return paper;
-    // the wheel: red right, green and blue a third of a turn on; a piecewise linear hue without an angle
-    const double x = u / length, y = v / length, root = std::sqrt(0.75);
-    const double channel[3] = {x, -0.5 * x + root * y, -0.5 * x - root * y};
-    const double strength = std::sqrt(longest > 0 ? length / longest : 0);
-    const auto tone = [&](double c) { return level(1 - strength * (0.5 - 0.5 * c)); };
-    return {tone(channel[0]), tone(channel[1]), tone(channel[2])};
-}
-
 std::int64_t covered_texels(const Image<std::uint8_t>& coverage) {
     return std::count_if(coverage.pixels().begin(), coverage.pixels().end(), [](auto c) { return c != 0; });
 }
@@ -211,12 +199,7 @@ StagePage draw_relief_field(const ReliefView& view, const Heading& heading) {
                         quiet("u' = (u + k1 d) / (1 + k3 d), and v' with k2."),
                         pair("k1", number(view.warp.k1)), pair("k2", number(view.warp.k2)),
                         pair("k3", number(view.warp.k3)), pair("viewer to plane", number(view.warp.h))}};
-    PanelBlock legend{
-        "Legend",
-        {sample(Kind::Square, direction_color(1, 0, 1), "to the right"),
-         sample(Kind::Square, direction_color(0, 1, 1), "down"),
-         sample(Kind::Square, direction_color(-1, 0, 1), "to the left"),
-         sample(Kind::Square, direction_color(0, -1, 1), "up"), sample(Kind::Square, paper, "stays")}};
+    const PanelBlock legend = legend_of_directions();
     PanePage page = pane_page(heading, {numbers, legend}, 1, {{"from texel to warped place", field}});
     const Rect rect = page.rects[0];
     const Scale scale = page.scales[0];

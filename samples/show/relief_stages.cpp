@@ -45,8 +45,13 @@ constexpr ReliefStageInfo all_stages[] = {
      draw_relief_inverse},
     {"relief-solid", "How far an object goes on behind its surface: without an end it is drawn out.",
      draw_relief_solid},
+    {"relief-shadow", "The shadow that the object casts on itself: a second search goes towards the light.",
+     draw_relief_shadow},
     {"relief-faces", "Six relief textures round the object: one viewer sees parts of several.",
      draw_relief_faces},
+    {"relief-morph",
+     "Two views of the object, and the view between them: pixels wander from one to the other.",
+     draw_relief_morph},
 };
 
 }  // namespace

@@ -49,7 +49,9 @@ StagePage draw_relief_error(const ReliefView& view, const Heading& heading);
 StagePage draw_relief_depth(const ReliefView& view, const Heading& heading);
 StagePage draw_relief_inverse(const ReliefView& view, const Heading& heading);
 StagePage draw_relief_solid(const ReliefView& view, const Heading& heading);
+StagePage draw_relief_shadow(const ReliefView& view, const Heading& heading);
 StagePage draw_relief_faces(const ReliefView& view, const Heading& heading);
+StagePage draw_relief_morph(const ReliefView& view, const Heading& heading);
 
 // The error set under a title, and as counts for steps.json, whose names begin with `name`.
 PanelBlock error_block(const std::string& title, const relief::ErrorSet& error);

@@ -44,4 +44,24 @@ inline Rgba8 grey(double share_of_range) {
     return {g, g, g};
 }
 
+// A direction as a colour of the wheel, and the share of the longest as its strength.
+inline Rgba8 direction_color(double u, double v, double longest) {
+    const double length = std::sqrt(u * u + v * v);
+    if (!(length > 0)) return paper;
+    // the wheel: red right, green and blue a third of a turn on; a piecewise linear hue without an angle
+    const double x = u / length, y = v / length, root = std::sqrt(0.75);
+    const double channel[3] = {x, -0.5 * x + root * y, -0.5 * x - root * y};
+    const double strength = std::sqrt(longest > 0 ? length / longest : 0);
+    const auto tone = [&](double c) { return level(1 - strength * (0.5 - 0.5 * c)); };
+    return {tone(channel[0]), tone(channel[1]), tone(channel[2])};
+}
+inline PanelBlock legend_of_directions() {
+    using Kind = PanelRow::Kind;
+    return {"Legend",
+            {sample(Kind::Square, direction_color(1, 0, 1), "to the right"),
+             sample(Kind::Square, direction_color(0, 1, 1), "down"),
+             sample(Kind::Square, direction_color(-1, 0, 1), "to the left"),
+             sample(Kind::Square, direction_color(0, -1, 1), "up"), sample(Kind::Square, paper, "stays")}};
+}
+
 }  // namespace relevo::show

@@ -49,7 +49,10 @@ TEST(SelfShadow, OfAStepIsAsLongAsTheLightIsLow) {
     // The raised plate x > 0.1 of height 0.5, light from +x at 45 degrees: shadow where -0.4 < x < 0.1.
     const ReliefTexture texture =
         ray_cast(PlaneStep{0.5}, *orthographic_camera({{0, 0, -1}, {0, 1, 0}, 100, 100}, {0, 0, 0.5}, 2));
-    ReliefSolid solid = extruded_solid(texture);
+    const ReliefSolid solid = extruded_solid(texture);
+    const auto is_lit = [&](const ReliefHit& hit, const ReliefLight& light) {
+        return illumination(texture, solid, hit, light) == Illumination::Lit;
+    };
     for (const bool at_infinity : {true, false}) {
         // From (0.1, *, 0.5) the line of light to (3.1, y, 3.5).
         for (int x = 1; x < 99; ++x) {
@@ -58,16 +61,16 @@ TEST(SelfShadow, OfAStepIsAsLongAsTheLightIsLow) {
             const ReliefLight light{at_infinity ? glm::dvec4(1, 0, 1, 0) : glm::dvec4(3.1, y, 3.5, 1)};
             const double z = double{texture.depth.at(x, 45)};
             const ReliefHit hit{x, 45, x + 0.5, 45.5, z};
-            EXPECT_EQ(is_lit(texture, solid, hit, light), !(wx > -0.4 && wx < 0.1)) << wx;
+            EXPECT_EQ(is_lit(hit, light), !(wx > -0.4 && wx < 0.1)) << wx;
             // From below everything is dark; straight from above nothing is.
-            EXPECT_FALSE(is_lit(texture, solid, hit, {{0, 0, -1, 0}}));
-            EXPECT_TRUE(is_lit(texture, solid, hit, {{0, 0, 1, 0}}));
+            EXPECT_EQ(illumination(texture, solid, hit, {{0, 0, -1, 0}}), Illumination::TurnedAway);
+            EXPECT_TRUE(is_lit(hit, {{0, 0, 1, 0}}));
         }
     }
     // A light between the point and the wall is not blocked by the wall.
     const ReliefHit near_wall{50, 45, 50.5, 45.5, 0.5};
-    EXPECT_FALSE(is_lit(texture, solid, near_wall, {{0.5, 0.1, 0.3, 1}}));
-    EXPECT_TRUE(is_lit(texture, solid, near_wall, {{0.05, 0.1, 0.03, 1}}));
+    EXPECT_EQ(illumination(texture, solid, near_wall, {{0.5, 0.1, 0.3, 1}}), Illumination::Blocked);
+    EXPECT_TRUE(is_lit(near_wall, {{0.05, 0.1, 0.03, 1}}));
 }
 
 TEST(SelfShadow, LooksAtEveryTexelOnTheWay) {
@@ -104,27 +107,22 @@ Wrong wrong_shadows(const Spheres& object, const ReliefCamera& source, double az
         back ? solid_between(texture, ray_cast(object, opposite_camera(source, 2))) : extruded_solid(texture);
     solid.reading = Reading::Bilinear;
     const ReliefCamera viewer = experiment_viewer(azimuth, 256);
-    const Image<Lit> lit = *inverse_shadows(
+    const Image<Illumination> found = *inverse_shadows(
         texture, solid, viewer,
         [&](const ReliefRay& ray) {
             return find_by_slices(solid, ray, {128, 8});
         },
         light);
+    const Image<Illumination> truth = cast_shadows(object, viewer, light);
     Wrong wrong{};
     int wrong_cast = 0, all = 0;
-    for (int y = 0; y < 256; ++y)
-        for (int x = 0; x < 256; ++x) {
-            const Ray sight = capture_ray(viewer, x + 0.5, y + 0.5);
-            const auto hit = first_hit(object, sight);
-            if (!hit || lit.at(x, y) == Lit::Nothing) continue;
-            const glm::dvec3 p = sight.origin + hit->t * sight.direction,
-                             way = glm::dvec3(light.place) - light.place.w * p;
-            const bool away = glm::dot(hit->normal, way) <= 0;
-            const auto blocking = first_hit(object, Ray{p + 1e-6 * hit->normal, way});
-            const bool cast = !away && blocking && (light.place.w == 0 || blocking->t < 1);
-            const bool dark = away || cast, off = dark != (lit.at(x, y) == Lit::InShadow);
-            ++wrong.pixels, all += off, wrong.cast += cast, wrong_cast += cast && off;
-        }
+    for (std::size_t i = 0; i < truth.pixels().size(); ++i) {
+        using enum Illumination;
+        const Illumination is = found.pixels()[i], right = truth.pixels()[i];
+        if (is == Nothing || right == Nothing) continue;
+        const bool cast = right == Blocked, off = (is == Lit) != (right == Lit);
+        ++wrong.pixels, all += off, wrong.cast += cast, wrong_cast += cast && off;
+    }
     wrong.percent = 100.0 * all / wrong.pixels,
     wrong.cast_percent = wrong.cast ? 100.0 * wrong_cast / wrong.cast : 0;
     return wrong;

@@ -37,7 +37,7 @@ transform = [ { scale = 3 }, { translate = [0, -0.3, 0] } ]
 )";
 
 Heading heading_of(const ReliefStageInfo& stage) {
-    return {1, 18, std::string(stage.name), std::string(stage.sentence), "test"};
+    return {1, 20, std::string(stage.name), std::string(stage.sentence), "test"};
 }
 std::map<std::string, double> counts_of(const StagePage& page) {
     std::map<std::string, double> counts;
@@ -52,11 +52,11 @@ std::map<std::string, double> counts_of(const ReliefView& view, std::string_view
     return {};
 }
 
-TEST(ReliefStages, AreEighteenWithNamesOfTheirOwn) {
+TEST(ReliefStages, AreTwentyWithNamesOfTheirOwn) {
     std::map<std::string_view, int> names;
     for (const ReliefStageInfo& stage : relief_stages()) ++names[stage.name];
-    EXPECT_EQ(names.size(), 18u);
-    EXPECT_EQ(relief_stages().size(), 18u);
+    EXPECT_EQ(names.size(), 20u);
+    EXPECT_EQ(relief_stages().size(), 20u);
 }
 
 // Every way that an object can be shown, from surfaces and from a mesh: all stages have a page of a size
@@ -139,6 +139,32 @@ TEST(ReliefStages, TheirNumbersAreThoseOfTheTechniques) {
     EXPECT_LE(faces["nearest_missing_percent"], 0.5);
 }
 
+TEST(ReliefStages, TheShadowIsNearlyTheTruth) {
+    const std::string light = "[[light]]\ntype = \"directional\"\ndirection = [0.9, -0.5, -0.6]\n";
+    auto shadow = counts_of(relief_view(loaded_scene(head + light + bumpy)), "relief-shadow");
+    EXPECT_GT(shadow["blocked"], 10);
+    EXPECT_GT(shadow["turned_away"], shadow["blocked"]);
+    EXPECT_LT(shadow["wrong"], 0.06 * (shadow["lit"] + shadow["turned_away"] + shadow["blocked"]));
+}
+
+TEST(ReliefStages, ViewMorphingIsBestAndFlowFollowsNearViewsOnly) {
+    const auto morph = [](const std::string& aside) {
+        return counts_of(
+            relief_view(loaded_scene(head + "[[object]]\nsurface = \"bumpy\"\nrepresentation = \"morph\"\n" +
+                                     "[object.relief]\nradius = 1\ntexels = 64\naside = " + aside + "\n")),
+            "relief-morph");
+    };
+    auto near = morph("2"), far = morph("20");
+    EXPECT_GT(far["view_morph_psnr"], far["plain_psnr"] + 3);
+    EXPECT_GT(far["view_morph_psnr"], far["view_morph_by_flow_psnr"] + 3);
+    EXPECT_LT(near["flow_mean_off"], 0.1 * far["flow_mean_off"]);
+    EXPECT_GT(near["flow_within_a_pixel"], 0.8 * near["flow_knows"]);
+    for (auto& counts : {&near, &far}) {
+        EXPECT_LE((*counts)["flow_within_a_pixel"], (*counts)["flow_knows"]);
+        EXPECT_LE((*counts)["flow_knows"], (*counts)["visible_in_both"]);
+    }
+}
+
 TEST(ReliefStages, TheFinalPictureIsTheRenderedOne) {
     const scene::LoadedScene loaded = loaded_scene(head + bumpy + ground);
     const ReliefView view = relief_view(loaded);
@@ -175,7 +201,7 @@ TEST(ReliefSteps, AReliefSceneHasItsStagesAndAMixedOneBoth) {
         const scene::LoadedScene loaded = loaded_scene(head + bumpy + (mixed ? ground : ""));
         ASSERT_FALSE(write_steps(loaded, {folder.path("steps"), {}}));
         const auto steps = nlohmann::json::parse(io::bytes_of(folder.path("steps/steps.json")));
-        ASSERT_EQ(steps["stages"].size(), mixed ? 34u : 18u);
+        ASSERT_EQ(steps["stages"].size(), mixed ? 36u : 20u);
         for (const auto& stage : steps["stages"])
             EXPECT_TRUE(std::filesystem::exists(folder.path("steps/" + stage["file"].get<std::string>())));
         EXPECT_EQ(steps["stages"][mixed ? 16 : 0]["file"],
