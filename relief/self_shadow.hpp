@@ -151,4 +151,22 @@ Image<Illumination> cast_shadows(const Surface& surface, const ReliefCamera& vie
     return seen;
 }
 
+// Where both see the object: whether the light arrives.
+struct ShadowError {
+    int seen = 0, wrong = 0;                // pixels
+    int blocked = 0, wrong_of_blocked = 0;  // of these, whose truth is a shadow that something casts
+};
+inline ShadowError shadow_error(const Image<Illumination>& found, const Image<Illumination>& truth) {
+    ShadowError error;
+    for (std::size_t i = 0; i < truth.pixels().size(); ++i) {
+        using enum Illumination;
+        const Illumination is = found.pixels()[i], right = truth.pixels()[i];
+        if (is == Nothing || right == Nothing) continue;
+        const bool blocked = right == Blocked, wrong = (is == Lit) != (right == Lit);
+        ++error.seen, error.wrong += wrong;
+        error.blocked += blocked, error.wrong_of_blocked += blocked && wrong;
+    }
+    return error;
+}
+
 }  // namespace relevo::relief

@@ -35,17 +35,6 @@ std::int64_t pixels_of(const relief::Image<Illumination>& seen, Illumination whi
     return std::count(seen.pixels().begin(), seen.pixels().end(), which);
 }
 
-// What arrives or does not, where both see the object.
-std::int64_t wrong_pixels(const relief::Image<Illumination>& seen, const relief::Image<Illumination>& truth) {
-    std::int64_t wrong = 0;
-    for (std::size_t i = 0; i < seen.pixels().size(); ++i) {
-        const Illumination a = seen.pixels()[i], b = truth.pixels()[i];
-        if (a == Illumination::Nothing || b == Illumination::Nothing) continue;
-        wrong += (a == Illumination::Lit) != (b == Illumination::Lit);
-    }
-    return wrong;
-}
-
 // The object with its texture, solid and way to search it.
 Represented solid_object(const ReliefView& view) {
     relief::RepresentationSettings settings = view.relief.settings;
@@ -103,7 +92,7 @@ StagePage draw_relief_shadow(const ReliefView& view, const Heading& heading) {
     counted.counts = {{"lit", in_light}, {"turned_away", away}, {"blocked", in_shadow}};
     if (view.object->surface) {
         const auto truth = cast_shadows(*view.object->shape().surface, view.screen, light);
-        const std::int64_t wrong = wrong_pixels(seen, truth);
+        const std::int64_t wrong = shadow_error(seen, truth).wrong;
         panes.push_back({"the truth, by rays", map_of(truth)});
         what.rows.push_back(pair("wrong", share(wrong, all)));
         counted.counts.push_back({"wrong", wrong});

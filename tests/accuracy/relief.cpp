@@ -7,8 +7,12 @@
 #include "relief/box.hpp"
 #include "relief/inverse_slices.hpp"
 #include "relief/inverse_view.hpp"
+#include "relief/layered_depth_image.hpp"
 #include "relief/map_plane.hpp"
 #include "relief/quantize.hpp"
+#include "relief/representation.hpp"
+#include "relief/self_shadow.hpp"
+#include "relief/view_morph.hpp"
 #include "samples/scene/shapes/spheres.hpp"
 #include "tests/accuracy/measurement.hpp"
 #include "tests/relief/image_experiment.hpp"
@@ -127,6 +131,59 @@ Measured of_perspective_source() {
     });
 }
 
+// What surfaces behind the first `count` would show.
+template <int count>
+Measured of_layers() {
+    return worst_of(&ErrorSet::missing_percent, [](const Spheres& surface, const ReliefCamera& viewer) {
+        return draw_layers(ray_cast_layers(surface, tests::experiment_source(source_size), count), viewer,
+                           0.3);
+    });
+}
+
+// The view between two that stand 30 degrees apart.
+template <Morphing morphing>
+Measured of_morphing() {
+    Measured worst;
+    const ReliefCamera view0 = tests::experiment_viewer(-15, screen_size),
+                       view1 = tests::experiment_viewer(15, screen_size),
+                       between = view_between(view0, view1, 0.5);
+    for (const auto& [name, surface] : objects) {
+        const ReliefTexture texture0 = ray_cast(*surface, view0), texture1 = ray_cast(*surface, view1);
+        const ViewImage picture0 = as_seen(texture0), picture1 = as_seen(texture1);
+        const Correspondence to1 = true_correspondence(texture0, view1),
+                             to0 = true_correspondence(texture1, view0);
+        const ViewImage picture = morphing == Morphing::Plain
+                                      ? morph(picture0, picture1, to1, to0, 0.5, 0.3)
+                                      : *view_morph(view0, picture0, view1, picture1, to1, to0, 0.5, 0.3);
+        const ErrorSet error = error_set(picture, ray_cast_view(*surface, between));
+        worst.see(error.bad_percent, [&, name = name] { return told(name, error); });
+    }
+    return worst;
+}
+
+// Pixels that a far light reaches and should not, or the other way round.
+Measured of_self_shadow() {
+    Measured worst;
+    const ReliefCamera viewer = tests::experiment_viewer(25, screen_size),
+                       source = tests::experiment_source(256);
+    const ReliefLight light{{0.8, 0.5, -1, 0}};
+    for (const auto& [name, surface] : objects) {
+        const ReliefTexture texture = ray_cast(*surface, source);
+        ReliefSolid solid = solid_between(texture, ray_cast(*surface, opposite_camera(source, 2)));
+        solid.reading = Reading::Bilinear;
+        const auto found = *inverse_shadows(
+            texture, solid, viewer,
+            [&](const ReliefRay& ray) {
+                return find_by_slices(solid, ray, {128, 8});
+            },
+            light);
+        const ShadowError error = shadow_error(found, cast_shadows(*surface, viewer, light));
+        worst.see(100.0 * error.wrong / error.seen,
+                  [&, name = name] { return text("%s: %d of %d pixels", name, error.wrong, error.seen); });
+    }
+    return worst;
+}
+
 // What no face saw, on a full turn and from above and below: the first `count` of front, right, back, left,
 // top, bottom.
 template <int count>
@@ -180,6 +237,13 @@ constexpr Measurement measurements[] = {
     {"128 slices", of_slices<128, 0>},
     {"256 slices", of_slices<256, 0>},
     {"32 slices, 8 bisections", of_slices<32, 8>},
+    {"layers, 1", of_layers<1>},
+    {"layers, 2", of_layers<2>},
+    {"layers, 4", of_layers<4>},
+    {"layers, 6", of_layers<6>},
+    {"morphing, plain", of_morphing<Morphing::Plain>},
+    {"morphing, view", of_morphing<Morphing::View>},
+    {"self-shadow", of_self_shadow},
     {"relief box, 1 face", of_faces<1>},
     {"relief box, 2 faces", of_faces<2>},
     {"relief box, 3 faces", of_faces<3>},
