@@ -6,6 +6,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <thread>
 
@@ -70,18 +71,54 @@ void print_path(const raster::Rendering& rendering) {
     say("{:>12}  {}\n", "path", rendering.plan.reason);
 }
 
+// The pictures of objects that are shown by pictures of themselves; a scene without any says nothing.
+struct Taken {
+    std::vector<scene::PictureCounts> objects;
+    double milliseconds = 0;
+};
+// ", "pictures": [{...}, ...]"
+std::string to_json(const Taken& taken) {
+    auto objects = nlohmann::ordered_json::array();
+    for (const scene::PictureCounts& c : taken.objects)
+        objects.push_back({{"object", c.object},
+                           {"representation", c.representation},
+                           {"pictures", c.pictures},
+                           {"width", c.width},
+                           {"height", c.height},
+                           {"texels", c.texels},
+                           {"covered", c.covered}});
+    return ", \"pictures\": " + objects.dump();
+}
+void print_pictures(const Taken& taken) {
+    for (const scene::PictureCounts& c : taken.objects) {
+        const std::string size =
+            c.pictures == 0
+                ? "no picture of it"
+                : fmt::format("{} of {} x {}, {} texels covered",
+                              c.pictures == 1 ? "one picture" : fmt::format("{} pictures", c.pictures),
+                              c.width, c.height, c.covered);
+        say("{:>12}  texels of {}, drawn as {}: {}\n", c.texels, c.object, c.representation, size);
+    }
+}
+
 template <class Statistics>
 void print_statistics(const RenderOptions& options, const Statistics& statistics,
-                      const std::optional<raster::Rendering>& rendering, double load, double draw) {
+                      const std::optional<raster::Rendering>& rendering, double load, double draw,
+                      const Taken& taken = {}) {
+    const bool pictures = !taken.objects.empty();
     const std::vector<scene::NamedCount> counts = named_counts(statistics);
     if (options.statistics == "json") {
-        say("{{\"counts\": {}{}, \"milliseconds\": {{\"load\": {:.3f}, \"draw\": {:.3f}}}}}\n",
-            scene::to_json(counts), rendering ? to_json(*rendering) : "", load, draw);
+        say("{{\"counts\": {}{}{}, \"milliseconds\": {{\"load\": {:.3f}, {}\"draw\": {:.3f}}}}}\n",
+            scene::to_json(counts), rendering ? to_json(*rendering) : "", pictures ? to_json(taken) : "",
+            load, pictures ? fmt::format("\"pictures\": {:.3f}, ", taken.milliseconds) : "", draw);
         return;
     }
     for (const scene::NamedCount& c : counts) say("{:>12}  {}\n", c.count, c.words);
     if (rendering) print_path(*rendering);
-    say("{:>12.3f}  milliseconds to load the scene\n{:>12.3f}  milliseconds to draw it\n", load, draw);
+    print_pictures(taken);
+    say("{:>12.3f}  milliseconds to load the scene\n", load);
+    if (pictures) say("{:>12.3f}  milliseconds to take the pictures\n", taken.milliseconds);
+    say("{:>12.3f}  milliseconds to draw it\n", draw);
 }
 
 // "out.png" and 12: "out-0012.png".
@@ -150,7 +187,8 @@ int render_objects(const RenderOptions& options, const scene::LoadedScene& loade
     const auto pictures = scene::take_pictures(loaded, threads);
     if (!pictures) return refuse(pictures.error());
     for (const std::string& note : pictures->notes) std::fprintf(stderr, "warning: %s\n", note.c_str());
-    double draw = milliseconds_since(start);
+    const Taken taken{picture_counts(loaded, *pictures), milliseconds_since(start)};
+    double draw = 0;
     if (const io::Failure failure = write_first_relief(options, *pictures)) return refuse(*failure);
     raster::Rendering rendering;
     Progress progress(frames->second - frames->first + 1);
@@ -180,7 +218,7 @@ int render_objects(const RenderOptions& options, const scene::LoadedScene& loade
         scene.camera = scene::camera_at(loaded, frames->second);
         scene::Statistics statistics = scene::statistics_of(scene);
         raster::draw(scene, loaded.settings, frame, statistics);
-        print_statistics(options, statistics, rendering, load, draw);
+        print_statistics(options, statistics, rendering, load, draw, taken);
     }
     return done;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "samples/scene/animation.hpp"
+#include "samples/scene/choices.hpp"
 
 namespace relevo::scene {
 namespace {
@@ -30,6 +31,28 @@ io::FileResult<ReliefPictures> take_pictures(const LoadedScene& scene, int threa
         pictures.objects.push_back(*std::move(made));
     }
     return pictures;
+}
+
+std::vector<PictureCounts> picture_counts(const LoadedScene& scene, const ReliefPictures& pictures) {
+    std::vector<PictureCounts> all;
+    for (std::size_t i = 0; i < scene.reliefs.size(); ++i) {
+        const relief::Represented& object = pictures.objects[i];
+        PictureCounts counts{scene.reliefs[i].name,
+                             name_of(object.representation, representations),
+                             object.textures.size(),
+                             0,
+                             0,
+                             0,
+                             0};
+        for (const relief::ReliefTexture& texture : object.textures) {
+            counts.width = texture.camera.width, counts.height = texture.camera.height;
+            const auto& covered = texture.coverage.pixels();
+            counts.texels += covered.size();
+            counts.covered += static_cast<std::uint64_t>(std::count(covered.begin(), covered.end(), 1));
+        }
+        all.push_back(std::move(counts));
+    }
+    return all;
 }
 
 io::FileResult<Drawn> draw_scene(const LoadedScene& loaded, const ReliefPictures& pictures, int frame_number,

@@ -14,6 +14,16 @@ struct ReliefPictures {
 // With how many threads they are warped later changes no byte. Errors name the place of the object.
 io::FileResult<ReliefPictures> take_pictures(const LoadedScene& scene, int threads = 1);
 
+// What was taken of one object. Texels are those of all its pictures, which are of one size.
+struct PictureCounts {
+    std::string object;
+    std::string_view representation;
+    std::size_t pictures;
+    int width, height;  // 0 where there are none
+    std::uint64_t texels, covered;
+};
+std::vector<PictureCounts> picture_counts(const LoadedScene& scene, const ReliefPictures& pictures);
+
 struct Drawn {
     raster::Rendering rendering;     // of the models
     std::vector<std::string> notes;  // an object a line that was drawn in another way than asked for, and why

@@ -69,7 +69,9 @@ void read_source(const Fields& fields, Representation representation, relief::Re
     out.projection = fields.choice("source", out.projection, relief_sources);
     out.distance = fields.number("distance", out.distance, outside);
     out.texels = fields.whole("texels", out.texels, 1, 2048);
-    out.radius = fields.number("radius", 0, positive);
+    // far enough from the ends of float32 that a texel and the square of a distance lie between them
+    constexpr Range radius{1e-15, 1e15, false, false, "1e-15 to 1e15"};
+    out.radius = fields.number("radius", 0, radius);
     out.bits = fields.choice("bits", out.bits, depth_bits);
     out.lit = fields.choice("light", out.lit, relief_lights);
     out.reading = fields.choice("reading", out.reading, readings);

@@ -1,6 +1,8 @@
 // relevo render of scenes with reliefs and animations, as a user runs it.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 
 #include "samples/io/relief_file.hpp"
@@ -109,6 +111,38 @@ TEST(RenderRelief, EverySampleSceneIsDrawnAndTakenApart) {
             run(folder, "steps " + scene + " --size 64x48 -o steps --stage final --stage relief-map");
         EXPECT_EQ(steps.status, 0) << scene << steps.err;
     }
+}
+
+TEST(RenderRelief, StatisticsTellWhatPicturesWereTaken) {
+    const TemporaryFolder folder;
+    const auto scene = [](const std::string& representation) {
+        return "[image]\nwidth = 40\nheight = 30\n[camera]\neye = [0, 0, 4]\ntarget = [0, 0, 0]\n"
+               "[[object]]\nsurface = \"sphere\"\nname = \"a \\\"ball\\\"\"\nrepresentation = \"" +
+               representation + "\"\n[object.relief]\ntexels = 16\n";
+    };
+    folder.write("s.toml", scene("relief"));
+    const std::string text = run(folder, "render --stats s.toml").out;
+    EXPECT_NE(
+        text.find("         256  texels of a \"ball\", drawn as relief: one picture of 16 x 16, 208 texels "
+                  "covered\n"),
+        std::string::npos)
+        << text;
+    EXPECT_NE(text.find("milliseconds to take the pictures\n"), std::string::npos);
+    folder.write("s.toml", scene("relief-box"));
+    const std::string box = run(folder, "render --stats s.toml").out;
+    EXPECT_NE(box.find("        1536  texels of a \"ball\", drawn as relief-box: 6 pictures of 16 x 16, "),
+              std::string::npos)
+        << box;
+    const auto json = nlohmann::json::parse(run(folder, "render --stats=json s.toml").out);
+    ASSERT_EQ(json["pictures"].size(), 1u);
+    EXPECT_EQ(json["pictures"][0]["object"], "a \"ball\"");
+    EXPECT_EQ(json["pictures"][0]["representation"], "relief-box");
+    EXPECT_EQ(json["pictures"][0]["texels"], 6 * 256);
+    EXPECT_TRUE(json["milliseconds"].contains("pictures"));
+    // without such objects there is no such line
+    folder.write("s.toml", "[[object]]\nmesh = \"cube\"\n");
+    EXPECT_EQ(run(folder, "render --stats s.toml").out.find("pictures"), std::string::npos);
+    EXPECT_EQ(run(folder, "render --stats=json s.toml").out.find("pictures"), std::string::npos);
 }
 
 }  // namespace

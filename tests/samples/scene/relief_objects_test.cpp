@@ -172,6 +172,15 @@ TEST(ReliefObjects, EveryMistakeHasItsPlace) {
     EXPECT_EQ(
         error_of(object("surface = \"bumpy\"\nrepresentation = \"relief\"\n[object.relief]\ntexels = 0\n")),
         "scene.toml:5:10: object.relief.texels is 0, accepted: a whole number from 1 to 2048");
+    for (const std::string radius : {"1e-300", "1e300", "0"})
+        EXPECT_EQ(
+            error_of(object("surface = \"bumpy\"\nrepresentation = \"relief\"\n[object.relief]\nradius = " +
+                            radius + "\n"))
+                .substr(0, 33),
+            "scene.toml:5:10: object.relief.ra");
+    EXPECT_EQ(
+        error_of(object("surface = \"bumpy\"\nrepresentation = \"relief\"\n[object.relief]\nradius = 0\n")),
+        "scene.toml:5:10: object.relief.radius is 0, accepted: 1e-15 to 1e15");
     EXPECT_EQ(
         error_of(object("surface = \"bumpy\"\nrepresentation = \"relief-inverse\"\n[object.relief]\nsource = "
                         "\"perspective\"\nend = \"back\"\n")),
