@@ -2,7 +2,8 @@
 //
 // Depth needs the edge values in double, where every one (below 2^49) is exact. Coverage asks for their signs
 // only: in int32 where they fit (max_small_extent), else in double; and not at all where no edge crosses the
-// box.
+// box. Of large triangles only, whose rows are long, pixels that the triangle does not touch are passed over:
+// in short rows a branch for that is guessed wrong too often.
 #pragma once
 #include "raster/fast/corners.hpp"
 #include "raster/fast/write_tile.hpp"
@@ -57,7 +58,8 @@ RELEVO_LANE void cover_rows(const StoredSetup& s, int k, std::uint32_t number, c
     const int columns = s.x1[k] - s.x0[k] + 1, rows = s.y1[k] - s.y0[k] + 1;
     const Bools last_columns = first_lanes((columns - 1) % lanes + 1);
     float* near_row = tile.nearness + s.y0[k] * tile.stride + s.x0[k];
-    std::uint32_t* visible_row = tile.visible + s.y0[k] * tile.stride + s.x0[k];
+    const bool keeps_visible = tile.visible != nullptr;
+    std::uint32_t* visible_row = keeps_visible ? tile.visible + s.y0[k] * tile.stride + s.x0[k] : nullptr;
     for (int y = 0; y < rows; ++y) {
         Doubles e1 = row1, e2 = row2;
         Ints i0 = i_row0, i1 = i_row1, i2 = i_row2;
@@ -65,7 +67,6 @@ RELEVO_LANE void cover_rows(const StoredSetup& s, int k, std::uint32_t number, c
             Bools seen = in_box;
             if constexpr (cover == Cover::Int) {
                 seen = seen && !is_negative(i0 | i1 | i2);
-                if (!any(seen)) return;
             }
             if constexpr (cover == Cover::Double) {
                 seen = seen && !is_negative(upper_words(area - e1 - e2 - wide_bias0) |
@@ -75,9 +76,8 @@ RELEVO_LANE void cover_rows(const StoredSetup& s, int k, std::uint32_t number, c
             const Floats z = nearness(depth<Floats>(plane, {0.0, e1, e2}));
             const Floats stored = load(near_row + x);
             seen = seen && z > stored;
-            if (!any(seen)) return;
             store(select(seen, z, stored), near_row + x);
-            store(select(seen, numbers, load(visible_row + x)), visible_row + x);
+            if (keeps_visible) store(select(seen, numbers, load(visible_row + x)), visible_row + x);
         };
         int x = 0;
         for (; x + lanes < columns; x += lanes) {
@@ -90,7 +90,8 @@ RELEVO_LANE void cover_rows(const StoredSetup& s, int k, std::uint32_t number, c
         row1 = row1 + down1, row2 = row2 + down2;
         if constexpr (cover == Cover::Int)
             i_row1 = i_row1 + i_down1, i_row2 = i_row2 + i_down2, i_row0 = i_row0 - i_down1 - i_down2;
-        near_row += tile.stride, visible_row += tile.stride;
+        near_row += tile.stride;
+        if (keeps_visible) visible_row += tile.stride;
     }
 }
 

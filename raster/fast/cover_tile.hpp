@@ -88,11 +88,12 @@ RELEVO_LANE int cover_tile(const DrawState& draw, const Chunk* chunks, int chunk
     const int listed = read_list(draw, chunks, chunk_count, tile_number, scratch.ids);
     if (listed == 0) return 0;
 
-    const Floats cleared(draw.settings.depth == DepthFormat::Float32Reversed ? 0.f : -1.f);
+    const Floats cleared = cleared_nearness(draw);
+    const Ints none(static_cast<std::int32_t>(nothing));
     const int rows = (box.height + block_rows - 1) / block_rows * block_rows;
     for (int k = 0; k < rows * tile.stride; k += lanes) {
         store(cleared, tile.nearness + k);
-        store(Ints(static_cast<std::int32_t>(nothing)), tile.visible + k);
+        if (tile.visible != nullptr) store(none, tile.visible + k);
     }
     alignas(64) SnappedCorner staged[3][cover_batch + 16];
     for (int first = 0; first < listed; first += cover_batch) {

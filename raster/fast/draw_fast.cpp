@@ -395,7 +395,8 @@ class FastDraw {
         const std::size_t pixels = std::size_t(stride) * std::size_t(draw_.tile) + 16;
         if (memory_.workers.size() < std::size_t(workers())) memory_.workers.resize(std::size_t(workers()));
         for (WorkerMemory& worker : memory_.workers) {
-            worker.scratch = {{stride, worker.nearness.room_for(pixels), worker.visible.room_for(pixels),
+            worker.scratch = {{stride, worker.nearness.room_for(pixels),
+                               shows_one_color(draw_) ? nullptr : worker.visible.room_for(pixels),
                                worker.color.room_for(4 * std::size_t(stride) + 16)},
                               nullptr,
                               worker.kept.room_for(kept_bytes),

@@ -108,10 +108,17 @@ inline std::uint32_t model_of(const DrawState& draw, std::uint32_t primitive) {
     return m;
 }
 
+// Every pixel that anything covers has the same colour, and nobody asks which triangle it shows.
+inline bool shows_one_color(const DrawState& draw) {
+    return draw.settings.shading == Shading::Unlit && draw.models.size() == 1 && !draw.models[0].textured &&
+           draw.linear == nullptr && draw.visible == nullptr;
+}
+
 // The memory of one tile, of one worker. Rows are `stride` long: a register may reach past the tile's end.
 //
 //   nearness  of each pixel: its depth, with the sign turned when forward depth is drawn: greater is nearer
-//   visible   of each pixel: the triangle that is seen, by its place in the tile's list
+//   visible   of each pixel: the triangle that is seen, by its place in the tile's list; null where all
+//             triangles have one colour, and depth alone tells what is covered
 //   color     of each pixel of the few rows that are being shaded
 struct TileMemory {
     int stride = 0;

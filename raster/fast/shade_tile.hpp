@@ -454,19 +454,20 @@ template <template <bool> class Program>
     return shaded;
 }
 
-// Everything is of one colour: which triangle a pixel shows does not matter.
+// Everything is of one colour.
 RELEVO_LANE std::uint64_t shade_one_color(const TileAt& at) {
     const DrawState& draw = at.draw;
     const Ints background(std::bit_cast<std::int32_t>(draw.background8));
     const RgbOf<Floats> color = draw.models[0].setup.surface.color;
     const Ints packed = to_whole(packed_rgba8<Floats>(color, draw.settings.output));
+    const Floats cleared = cleared_nearness(draw);
     std::uint64_t shaded = 0;
     for (int row = 0; row < at.box.height; ++row) {
-        const std::uint32_t* visible = at.scratch.tile.visible + row * at.scratch.tile.stride;
+        const float* nearness = at.scratch.tile.nearness + row * at.scratch.tile.stride;
         for (int k = 0; k < at.box.width; k += lanes)
-            shaded += static_cast<unsigned>(count(!(load(visible + k) == Ints(-1))));
+            shaded += static_cast<unsigned>(count(load(nearness + k) > cleared));
         write_tile_row(draw, at.scratch, at.box, row, [&](int k) RELEVO_INSIDE {
-            return select(load(visible + k) == Ints(-1), background, packed);
+            return select(load(nearness + k) > cleared, packed, background);
         });
         write_background_row(draw, at.scratch.background);
     }
@@ -479,8 +480,7 @@ RELEVO_LANE std::uint64_t shade_tile(const DrawState& draw, TileScratch& scratch
     const TileAt at{draw, scratch, listed, box};
     switch (draw.settings.shading) {
         case Shading::Unlit:
-            if (draw.models.size() == 1 && !draw.models[0].textured && draw.linear == nullptr)
-                return shade_one_color(at);
+            if (scratch.tile.visible == nullptr) return shade_one_color(at);
             return shade_blocks<Unlit>(at);
         case Shading::Flat:
             return shade_blocks<Flat>(at);

@@ -31,6 +31,11 @@ RELEVO_LANE Nearness nearness_of(const DrawState& draw) {
     return {Ints(draw.settings.depth == DepthFormat::Float32Reversed ? 0 : INT32_MIN)};
 }
 
+// Of a pixel that nothing covers: less than that of any triangle.
+RELEVO_LANE Floats cleared_nearness(const DrawState& draw) {
+    return Floats(draw.settings.depth == DepthFormat::Float32Reversed ? 0.f : -1.f);
+}
+
 // `count` numbers of 32 bits: value(k) gives N of them from the k-th on. What value() reads may lie past the
 // count, the picture's row may not be written past it.
 template <class Value>

@@ -250,7 +250,8 @@ std::string difference(const Subject& s, const Picture& right, InstructionSet se
 
     const int stride = tile_size + 16;
     const std::size_t pixels = std::size_t(stride) * std::size_t(tile_size) + 16;
-    std::vector<Scalar> nearness(pixels, 0.25f);
+    const Scalar cleared = cleared_depth(state.draw.settings.depth);
+    std::vector<Scalar> nearness(pixels);
     std::vector<std::uint32_t> visible(pixels), band(pixels);
     std::vector<std::byte> kept(kept_bytes + 64);
     auto* const kept_line = kept.data() + (64 - reinterpret_cast<std::uintptr_t>(kept.data()) % 64) % 64;
@@ -259,22 +260,25 @@ std::string difference(const Subject& s, const Picture& right, InstructionSet se
         const int x0 = tile % state.draw.tiles_across * tile_size,
                   y0 = tile / state.draw.tiles_across * tile_size;
         std::fill(visible.begin(), visible.end(), nothing);
+        std::fill(nearness.begin(), nearness.end(), cleared);
         for (int y = y0; y < std::min(y0 + tile_size, s.height); ++y)
             for (int x = x0; x < std::min(x0 + tile_size, s.width); ++x) {
                 const std::uint32_t primitive = right.visible.at(x, y);
                 if (primitive == nothing) continue;
-                visible[std::size_t((y - y0) * stride + x - x0)] = place_of[primitive];
+                const auto place = std::size_t((y - y0) * stride + x - x0);
+                visible[place] = place_of[primitive], nearness[place] = 0.25f;
                 ++shown;
             }
-        TileScratch scratch{
-            {stride, nearness.data(), visible.data(), band.data()}, ids.data(), kept_line, {}};
+        std::uint32_t* const shown_by = shows_one_color(state.draw) ? nullptr : visible.data();
+        TileScratch scratch{{stride, nearness.data(), shown_by, band.data()}, ids.data(), kept_line, {}};
         shaded += shade_tile_of(set)(state.draw, scratch, listed, tile);
     }
     for (int y = 0; y < s.height; ++y)
         for (int x = 0; x < s.width; ++x) {
             const Rgba8 rgba = color.at(x, y), expected = right.frame.color.at(x, y);
             const LinearRgb linear = state.linear.at(x, y), expected_linear = right.frame.linear.at(x, y);
-            const bool same = rgba == expected && depth.at(x, y) == 0.25f &&
+            const Scalar expected_depth = right.visible.at(x, y) == nothing ? cleared : 0.25f;
+            const bool same = rgba == expected && depth.at(x, y) == expected_depth &&
                               (!with_linear || std::memcmp(&linear, &expected_linear, sizeof linear) == 0);
             if (same) continue;
             char text[300];
