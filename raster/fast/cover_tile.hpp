@@ -85,8 +85,9 @@ RELEVO_LANE void cover_group(const DrawState& draw, TileScratch& scratch, const 
 RELEVO_LANE int cover_tile(const DrawState& draw, const Chunk* chunks, int chunk_count, TileScratch& scratch,
                            int tile_number, const TileBox& box) {
     const TileMemory& tile = scratch.tile;
-    const int listed = read_list(draw, chunks, chunk_count, tile_number, scratch.ids);
-    if (listed == 0) return 0;
+    TileIds list(draw, chunks, chunk_count, tile_number, scratch.ids);
+    list.read(1);
+    if (list.known() == 0) return 0;
 
     const Floats cleared = cleared_nearness(draw);
     const Ints none(static_cast<std::int32_t>(nothing));
@@ -96,17 +97,17 @@ RELEVO_LANE int cover_tile(const DrawState& draw, const Chunk* chunks, int chunk
         if (tile.visible != nullptr) store(none, tile.visible + k);
     }
     alignas(64) SnappedCorner staged[3][cover_batch + 16];
-    for (int first = 0; first < listed; first += cover_batch) {
-        const int n = listed - first < cover_batch ? listed - first : cover_batch;
+    for (int first = 0; list.read(first + 2 * cover_batch), first < list.known(); first += cover_batch) {
+        const int known = list.known() - first, n = known < cover_batch ? known : cover_batch;
         if (draw.carried)
-            stage_corners<true>(draw, scratch.ids + first, n, listed - first, staged);
+            stage_corners<true>(draw, scratch.ids + first, n, known, staged);
         else
-            stage_corners<false>(draw, scratch.ids + first, n, listed - first, staged);
+            stage_corners<false>(draw, scratch.ids + first, n, known, staged);
         for (int k = 0; k < n; k += lanes)
             cover_group(draw, scratch, box, &staged[0][k], &staged[1][k], &staged[2][k],
                         static_cast<std::uint32_t>(first + k), n - k < lanes ? n - k : lanes);
     }
-    return listed;
+    return list.known();
 }
 
 }  // namespace relevo::raster::fast::HWY_NAMESPACE

@@ -9,46 +9,72 @@
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
-// Writes the ids of a tile in drawing order: chunk after chunk, each list merged with the chunk's wide ones.
-// Returns their number; after the last there is room for `first_block` more.
-RELEVO_LANE int read_list(const DrawState& draw, const Chunk* chunks, int chunk_count, int tile,
-                          std::uint32_t* ids) {
-    std::uint32_t* end = ids;
-    for (const Chunk* chunk = chunks; chunk != chunks + chunk_count; ++chunk) {
-        const TileList& list = chunk->lists[tile];
-        // the listed ones stand behind room for the wide ones, which then come in between
-        const std::uint32_t* listed = end + chunk->wide_count;
-        std::uint32_t* to = end + chunk->wide_count;
-        const std::uint32_t* block = chunk->words + list.first;
-        std::uint32_t size = first_block;
-        for (std::uint32_t left = list.count; left > 0; size = later_block) {
-            const std::uint32_t taken = std::min(size - 1, left);
-            left -= taken;
-            const std::uint32_t* next = block;
-            if (left > 0) {
-                next = chunk->words + block[taken];
-                for (std::uint32_t k = 0; k < later_block; k += 16) hwy::Prefetch(next + k);
-            }
-            for (std::uint32_t k = 0; k < taken; k += lanes) store(load(block + k), to + k);
-            to += taken;
-            block = next;
-        }
-        for (std::uint32_t w = 0; w < chunk->wide_count; ++w) {
-            while (listed != to && !is_before(draw, chunk->wide[w], *listed)) *end++ = *listed++;
-            *end++ = chunk->wide[w];
-        }
-        end = to;
+// The ids of a tile in drawing order: chunk after chunk, each list merged with the chunk's wide ones. They
+// are written block after block, as they are wanted: the next block is on its way from memory meanwhile.
+// After the last there is room for `first_block` more.
+class TileIds {
+  public:
+    RELEVO_LANE TileIds(const DrawState& draw, const Chunk* chunks, int chunk_count, int tile,
+                        std::uint32_t* ids)
+        : draw_(draw), chunk_(chunks), last_(chunks + chunk_count), tile_(tile), ids_(ids), end_(ids) {
+        enter();
     }
-    return static_cast<int>(end - ids);
-}
+    RELEVO_LANE int known() const { return static_cast<int>(end_ - ids_); }
+    // Until so many are known, or all.
+    RELEVO_LANE void read(int number) {
+        while (known() < number && chunk_ != last_) {
+            if (chunk_->wide_count > 0)
+                read_with_wide();
+            else if (left_ > 0)
+                read_block();
+            if (left_ == 0) ++chunk_, enter();
+        }
+    }
+
+  private:
+    RELEVO_LANE void enter() {
+        if (chunk_ == last_) return;
+        const TileList& list = chunk_->lists[tile_];
+        block_ = chunk_->words + list.first, left_ = list.count, size_ = first_block;
+    }
+    RELEVO_LANE void read_block() {
+        const std::uint32_t taken = std::min(size_ - 1, left_);
+        left_ -= taken, size_ = later_block;
+        const std::uint32_t* next = block_;
+        if (left_ > 0) {
+            next = chunk_->words + block_[taken];
+            for (std::uint32_t k = 0; k < later_block; k += 16) hwy::Prefetch(next + k);
+        }
+        for (std::uint32_t k = 0; k < taken; k += lanes) store(load(block_ + k), end_ + k);
+        end_ += taken, block_ = next;
+    }
+    // All of the chunk: the listed ones stand behind room for the wide ones, which then come in between.
+    RELEVO_LANE void read_with_wide() {
+        std::uint32_t* to = end_;
+        const std::uint32_t* listed = end_ += chunk_->wide_count;
+        while (left_ > 0) read_block();
+        for (std::uint32_t w = 0; w < chunk_->wide_count; ++w) {
+            while (listed != end_ && !is_before(draw_, chunk_->wide[w], *listed)) *to++ = *listed++;
+            *to++ = chunk_->wide[w];
+        }
+    }
+
+    const DrawState& draw_;
+    const Chunk *chunk_, *last_;
+    int tile_;
+    std::uint32_t *ids_, *end_;
+    const std::uint32_t* block_ = nullptr;         // to be read, and its size in words
+    std::uint32_t left_ = 0, size_ = first_block;  // ids of the list
+};
 
 inline constexpr int cover_batch = 64;
 
-// Copies the corners of the first n triangles side by side; they are of any models, whole or pieces.
+// Copies the corners of the first n triangles side by side; they are of any models, whole or pieces. `known`:
+// ids.
 // Meanwhile it asks for what a later call will want and, with `carried`, shading: the corners, and what they
 // carry, stand all over memory.
 template <bool carried>
-RELEVO_LANE void stage_corners(const DrawState& draw, const std::uint32_t* ids, int n, int listed,
+RELEVO_LANE void stage_corners(const DrawState& draw, const std::uint32_t* ids, int n, int known,
                                SnappedCorner (&staged)[3][cover_batch + 16]) {
     std::uint32_t model_first = 1, model_last = 0;  // of the model at hand: none yet
     const ModelState* model = nullptr;
@@ -70,7 +96,7 @@ RELEVO_LANE void stage_corners(const DrawState& draw, const std::uint32_t* ids, 
         if constexpr (carried)
             for (const int corner : {0, 2})  // two of three are all, in strips and grids
                 __builtin_prefetch(model->carried + index[corner] * std::size_t(model->stride), 0, 2);
-        if (k + cover_batch >= listed) continue;
+        if (k + cover_batch >= known) continue;
         const std::uint32_t later = ids[k + cover_batch];
         if (!(model_first <= later && later < model_last)) continue;
         index = &model->indices[3 * (std::size_t{later} - model_first)];
