@@ -58,6 +58,8 @@ inline ReliefSolid extruded_solid(const ReliefTexture& texture) {
             solid.front.at(x, y) = z;
             solid.low = std::min(solid.low, double{z}), solid.high = std::max(solid.high, double{z});
         }
+    // so that rounding does not lose a plate that lies deepest
+    if (solid.low <= solid.high) solid.high += 1e-9 * std::fabs(solid.high);
     return solid;
 }
 
@@ -90,17 +92,38 @@ inline ReliefCamera opposite_camera(const ReliefCamera& camera, double range) {
 
 // From the front to the back that opposite_camera sees. A texel whose back is empty, or before its front,
 // ends where it begins.
-inline ReliefSolid solid_between(const ReliefTexture& front, const ReliefTexture& back) {
+//
+// That is right at the outline of a body. But an open surface has no back: the opposite camera sees the same
+// sheet, or nothing. So where no texel around ends more than a texel behind its front, `sheet` is how thick
+// it is, world units.
+inline ReliefSolid solid_between(const ReliefTexture& front, const ReliefTexture& back, double sheet = 0) {
     ReliefSolid solid = extruded_solid(front);
-    const double range = glm::dot(back.camera.corner - front.camera.corner, forward(front.camera));
-    const int width = front.camera.width;
-    for (int y = 0; y < front.camera.height; ++y)
+    const double range = glm::dot(back.camera.corner - front.camera.corner, forward(front.camera)),
+                 texel = std::sqrt(std::max(glm::dot(front.camera.a, front.camera.a),
+                                            glm::dot(front.camera.b, front.camera.b)));
+    const int width = front.camera.width, height = front.camera.height;
+    Image<std::uint8_t> has_back(width, height);
+    for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const Scalar begin = solid.front.at(x, y);
             const bool seen = back.coverage.at(width - 1 - x, y) != 0;
             const auto end = static_cast<Scalar>(range - double{back.depth.at(width - 1 - x, y)});
             solid.back.at(x, y) = seen ? std::max(begin, end) : begin;
-            if (std::isfinite(begin)) solid.high = std::max(solid.high, double{solid.back.at(x, y)});
+            has_back.at(x, y) = seen && std::isfinite(begin) && double{end} - double{begin} > texel;
+        }
+    const auto is_sheet = [&](int x, int y) {
+        for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height - 1); ++j)
+            for (int i = std::max(x - 1, 0); i <= std::min(x + 1, width - 1); ++i)
+                if (has_back.at(i, j)) return false;
+        return true;
+    };
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const Scalar begin = solid.front.at(x, y);
+            if (!std::isfinite(begin)) continue;
+            Scalar& end = solid.back.at(x, y);
+            if (sheet > 0 && is_sheet(x, y)) end = std::max(end, static_cast<Scalar>(double{begin} + sheet));
+            solid.high = std::max(solid.high, double{end});
         }
     return solid;
 }

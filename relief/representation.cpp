@@ -189,7 +189,7 @@ ReliefSolid solid_of(const std::vector<ReliefTexture>& textures, const Represent
     ReliefSolid solid = settings.end == SolidEnd::None ? extruded_solid(textures[0])
                         : settings.end == SolidEnd::Thickness
                             ? solid_of_thickness(textures[0], settings.thickness * radius)
-                            : solid_between(textures[0], textures[1]);
+                            : solid_between(textures[0], textures[1], settings.thickness * radius);
     solid.reading = settings.reading;
     solid.jump = double{settings.prewarp.jump_depth} * radius;
     return solid;

@@ -308,6 +308,30 @@ TEST(InverseView, ABackLayerIsBetterThanAThickness) {
     EXPECT_GT(between.psnr, thick.psnr + 1);
 }
 
+TEST(InverseView, AnOpenSurfaceIsASheet) {
+    // The step's plates have no back of their own: the opposite camera sees the same plates.
+    const ReliefCamera source = *orthographic_camera({{0, 0, -1}, {0, 1, 0}, 128, 128}, {0, 0, 0.5}, 2);
+    const glm::dvec3 eye(-1.2, 0.4, 3);
+    const ReliefCamera viewer = *perspective_camera({-eye, {0, 1, 0}, 128, 128}, eye, 1, {45});
+    const PlaneStep plates{0.5};
+    const ReliefTexture texture = ray_cast(plates, source),
+                        back = ray_cast(plates, opposite_camera(source, 1));
+    const ViewImage truth = ray_cast_view(plates, viewer);
+    const auto missing = [&](ReliefSolid solid) {
+        solid.reading = Reading::Bilinear;
+        const auto find = [&](const ReliefRay& ray) { return find_by_slices(solid, ray, {64, 6}); };
+        return error_set(*inverse_view(texture, solid, viewer, find), truth).missing_percent;
+    };
+    EXPECT_GT(missing(solid_between(texture, back)), 20);
+    EXPECT_LT(missing(solid_between(texture, back, 0.1)), 10);  // what lies between the plates
+    EXPECT_LT(missing(extruded_solid(texture)),
+              0.5);  // the deepest plate is hit although nothing lies behind
+    // A body has its back: its outline, too, stays as it is.
+    const ReliefTexture ball = ray_cast(scene::sphere_object, experiment_source(64)),
+                        behind = ray_cast(scene::sphere_object, opposite_camera(experiment_source(64), 2));
+    EXPECT_EQ(solid_between(ball, behind, 0.1).back.pixels(), solid_between(ball, behind).back.pixels());
+}
+
 TEST(InverseView, APerspectiveSourceSeenFromItsOwnEyeIsItself) {
     const ReliefCamera source = perspective_source();
     const ReliefTexture texture = ray_cast(scene::complex_object, source);
