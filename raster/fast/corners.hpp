@@ -2,6 +2,7 @@
 #pragma once
 #include "raster/fast/draw_state.hpp"
 #include "raster/fast/lanes.hpp"
+#include "raster/interpolate.hpp"
 #include "raster/triangle_edge.hpp"
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
@@ -28,18 +29,38 @@ inline constexpr std::int32_t max_small_extent = 110 * 256;
 static_assert(std::int64_t{125 * 256} * max_small_extent + std::int64_t{max_small_extent} * max_small_extent <
               std::int64_t{1} << 31);
 
-// Corner 0 is the topmost (of these, the leftmost), corners 1 and 2 give a positive area: triangle_edge.hpp's
-// canonical order.
-struct OrderedCorners {
+// N triangles in canonical order as triangle_edge.hpp has it: corner 0 is the topmost (of these, the
+// leftmost), and the area is positive. With a negative one the corners 1 and 2 would change places; the
+// formulas treat them alike, so it is enough to turn the signs of the edges.
+struct OrderedTriangles {
+    Bools one, two;  // corner 0 is the caller's 1, or 2; the others follow it in the caller's order
+    Bools negative;  // the caller's area
     LaneCorner c0, c1, c2;
+    Ints dx1, dy1, dx2, dy2;  // corner k - corner 0, with the sign of the area
+    Doubles area;             // without
+
+    // What the caller has of its corners, in the order of c0, c1, c2.
+    template <class T>
+    RELEVO_LANE std::array<T, 3> ordered(const T& a, const T& b, const T& c) const {
+        return {select(two, c, select(one, b, a)), select(two, a, select(one, c, b)),
+                select(two, b, select(one, a, c))};
+    }
 };
-RELEVO_LANE OrderedCorners canonical_order(const LaneCorner& a, const LaneCorner& b, const LaneCorner& c) {
-    const Bools b_first = is_above(b, a), c_first = is_above(c, select(b_first, b, a));
-    const LaneCorner next = select(c_first, a, select(b_first, c, b));
-    const LaneCorner last = select(c_first, b, select(b_first, a, c));
-    const Bools negative = is_negative(area2<Floats>(a, b, c));
-    return {select(c_first, c, select(b_first, b, a)), select(negative, last, next),
-            select(negative, next, last)};
+RELEVO_LANE OrderedTriangles canonical_order(const LaneCorner& a, const LaneCorner& b, const LaneCorner& c) {
+    OrderedTriangles t;
+    t.one = is_above(b, a), t.two = is_above(c, select(t.one, b, a));
+    const auto [c0, c1, c2] = t.ordered(a, b, c);
+    t.c0 = c0, t.c1 = c1, t.c2 = c2;
+    const Doubles signed_area = area2<Floats>(c0, c1, c2);
+    t.negative = is_negative(signed_area);
+    const auto turned = [&](Ints d) RELEVO_INSIDE { return select(t.negative, Ints(0) - d, d); };
+    t.dx1 = turned(c1.x - c0.x), t.dy1 = turned(c1.y - c0.y);
+    t.dx2 = turned(c2.x - c0.x), t.dy2 = turned(c2.y - c0.y);
+    t.area = select(t.negative, Doubles(0.0) - signed_area, signed_area);
+    return t;
+}
+RELEVO_LANE InterpolatorOf<Floats> make_interpolator(const OrderedTriangles& t) {
+    return make_interpolator(TriangleOf<Floats>{{t.c0, t.c1, t.c2}, t.area, {}, {}, {}, {}, {}});
 }
 
 // Sixteen bytes from one place to another.

@@ -22,11 +22,11 @@ RELEVO_LANE void cover_group(const DrawState& draw, TileScratch& scratch, const 
                              const SnappedCorner* corner2, std::uint32_t first_number, int count_in_group) {
     const TileMemory& tile = scratch.tile;
     const Nearness nearness = nearness_of(draw);
-    const auto [c0, c1, c2] =
+    const auto triangle =
         canonical_order(load_corners(corner0), load_corners(corner1), load_corners(corner2));
-    const auto triangle = make_triangle<Floats>(c0, c1, c2);
+    const LaneCorner &c0 = triangle.c0, &c1 = triangle.c1, &c2 = triangle.c2;
+    const Ints dx1 = triangle.dx1, dy1 = triangle.dy1, dx2 = triangle.dx2, dy2 = triangle.dy2;
     const auto plane = make_interpolator(triangle);
-    const Ints dx1 = c1.x - c0.x, dy1 = c1.y - c0.y, dx2 = c2.x - c0.x, dy2 = c2.y - c0.y;
 
     const Ints left = min(c0.x, min(c1.x, c2.x)), right = max(c0.x, max(c1.x, c2.x));
     const Ints top = c0.y, bottom = max(c1.y, c2.y);

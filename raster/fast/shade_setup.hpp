@@ -167,24 +167,11 @@ RELEVO_LANE LaneSetup<Program> set_up(const DrawState& draw, const ModelState& m
             for (int c = 0; c < 3; ++c)
                 window[c] = {load(pieces.x[c]), load(pieces.y[c]), window[c].z, load(pieces.rw[c])};
         }
-        one = is_above(window[1], window[0]);
-        two = is_above(window[2], select(one, window[1], window[0]));
-        const LaneCorner c0 = select(two, window[2], select(one, window[1], window[0])),
-                         next = select(two, window[0], select(one, window[2], window[1])),
-                         last = select(two, window[1], select(one, window[0], window[2]));
-        const Doubles dx = to_wide(next.x - c0.x), dy = to_wide(next.y - c0.y), ex = to_wide(last.x - c0.x),
-                      ey = to_wide(last.y - c0.y);
-        const Doubles signed_area = dx * ey - dy * ex;
-        const Bools negative = is_negative(signed_area);
-        back = model.setup.mirrored ? negative : !negative;
-        if constexpr (size > 0) {
-            // With negative area the corners 1 and 2 change places: the formulas treat them alike, so it is
-            // enough to turn the signs of the edges.
-            s.x0 = c0.x, s.y0 = c0.y, s.rw0 = c0.rw, s.rw1 = next.rw, s.rw2 = last.rw;
-            const Doubles sign = select(negative, Doubles(-1.0), Doubles(1.0));
-            s.dx1 = dx * sign, s.dy1 = dy * sign, s.dx2 = ex * sign, s.dy2 = ey * sign;
-            s.area = signed_area * sign;
-        }
+        const OrderedTriangles t = canonical_order(window[0], window[1], window[2]);
+        one = t.one, two = t.two, back = model.setup.mirrored ? t.negative : !t.negative;
+        s.x0 = t.c0.x, s.y0 = t.c0.y, s.rw0 = t.c0.rw, s.rw1 = t.c1.rw, s.rw2 = t.c2.rw;
+        s.dx1 = to_wide(t.dx1), s.dy1 = to_wide(t.dy1), s.dx2 = to_wide(t.dx2), s.dy2 = to_wide(t.dy2);
+        s.area = t.area;
     }
 
     if constexpr (size > 0) {
