@@ -38,18 +38,17 @@ struct OrderedTriangles {
     LaneCorner c0, c1, c2;
     Ints dx1, dy1, dx2, dy2;  // corner k - corner 0, with the sign of the area
     Doubles area;             // without
-
-    // What the caller has of its corners, in the order of c0, c1, c2.
-    template <class T>
-    RELEVO_LANE std::array<T, 3> ordered(const T& a, const T& b, const T& c) const {
-        return {select(two, c, select(one, b, a)), select(two, a, select(one, c, b)),
-                select(two, b, select(one, a, c))};
-    }
 };
+// What belongs to a triangle's corners, from the corner on that comes first.
+template <class T>
+RELEVO_LANE std::array<T, 3> in_order(Bools one, Bools two, const T& a, const T& b, const T& c) {
+    return {select(two, c, select(one, b, a)), select(two, a, select(one, c, b)),
+            select(two, b, select(one, a, c))};
+}
 RELEVO_LANE OrderedTriangles canonical_order(const LaneCorner& a, const LaneCorner& b, const LaneCorner& c) {
     OrderedTriangles t;
     t.one = is_above(b, a), t.two = is_above(c, select(t.one, b, a));
-    const auto [c0, c1, c2] = t.ordered(a, b, c);
+    const auto [c0, c1, c2] = in_order(t.one, t.two, a, b, c);
     t.c0 = c0, t.c1 = c1, t.c2 = c2;
     const Doubles signed_area = area2<Floats>(c0, c1, c2);
     t.negative = is_negative(signed_area);

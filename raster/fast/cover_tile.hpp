@@ -49,7 +49,7 @@ RELEVO_LANE void cover_group(const DrawState& draw, TileScratch& scratch, const 
     if (most_columns * most_rows <= most_walked && bits(valid & small) == valid_bits) {
         const Ints e1 = px * dy2 - py * dx2, e2 = dx1 * py - dy1 * px;
         const Ints area = truncated(select(small, triangle.area, Doubles(0.0)));
-        const BoxWalk walk{area - e1 - e2,
+        const BoxWalk walk{area,
                            e1,
                            e2,
                            shift_left<8>(dy2),
@@ -62,8 +62,14 @@ RELEVO_LANE void cover_group(const DrawState& draw, TileScratch& scratch, const 
                            (y0 - Ints(box.y0)) * Ints(tile.stride) + (x0 - Ints(box.x0)),
                            columns,
                            rows};
-        return cover_boxes(tile, walk, plane, nearness, first_number, most_columns, most_rows);
+        Fragments& fragments = scratch.fragments;
+        const bool keep = tile.visible != nullptr && fragments.count < fragments.room &&
+                          fragments.group_count < fragments.group_room;
+        scratch.in_blocks |= !keep;
+        return cover_boxes(tile, fragments, walk, triangle, plane, nearness, first_number, most_columns, most_rows,
+                           keep);
     }
+    scratch.in_blocks = true;
 
     StoredSetup s;
     store(plane.z0, s.z0), store(plane.g1, s.g1), store(plane.g2, s.g2), store(triangle.area, s.area);
@@ -89,6 +95,7 @@ RELEVO_LANE int cover_tile(const DrawState& draw, const Chunk* chunks, int chunk
     list.read(1);
     if (list.known() == 0) return 0;
 
+    scratch.fragments.count = scratch.fragments.group_count = 0, scratch.in_blocks = false;
     const Floats cleared = cleared_nearness(draw);
     const Ints none(static_cast<std::int32_t>(nothing));
     const int rows = (box.height + block_rows - 1) / block_rows * block_rows;

@@ -66,7 +66,9 @@ struct ChunkMemory {
 
 struct WorkerMemory {
     Buffer<Scalar> nearness;
-    Buffer<std::uint32_t> visible, color, ids;
+    Buffer<std::uint32_t> visible, color, ids, fragment_place;
+    Buffer<std::int32_t> fragment_e1, fragment_e2;
+    Buffer<FragmentGroup> fragment_groups;
     Buffer<std::byte> kept;
     TileScratch scratch;
     std::uint64_t shaded_pixels = 0;
@@ -101,7 +103,9 @@ std::size_t Workspace::bytes() const {
     for (const ChunkMemory& c : memory_->chunks)
         sum += c.lists.bytes() + c.words.bytes() + bytes_of(c.wide) + bytes_of(c.names) + bytes_of(c.pieces);
     for (const WorkerMemory& w : memory_->workers)
-        sum += w.nearness.bytes() + w.visible.bytes() + w.color.bytes() + w.ids.bytes() + w.kept.bytes();
+        sum += w.nearness.bytes() + w.visible.bytes() + w.color.bytes() + w.ids.bytes() + w.kept.bytes() +
+               w.fragment_place.bytes() + w.fragment_e1.bytes() + w.fragment_e2.bytes() +
+               w.fragment_groups.bytes();
     return sum + bytes_of(memory_->models) + bytes_of(memory_->chunks) + bytes_of(memory_->workers) +
            bytes_of(memory_->touched) + bytes_of(memory_->empty) + bytes_of(memory_->states) +
            bytes_of(memory_->chunk_states) + bytes_of(memory_->pieces);
@@ -394,13 +398,19 @@ class FastDraw {
         const int stride = draw_.tile + 16;
         const std::size_t pixels = std::size_t(stride) * std::size_t(draw_.tile) + 16;
         if (memory_.workers.size() < std::size_t(workers())) memory_.workers.resize(std::size_t(workers()));
+        const std::size_t fragments = 4 * pixels, with_slack = fragments + fragment_slack;
         for (WorkerMemory& worker : memory_.workers) {
             worker.scratch = {{stride, worker.nearness.room_for(pixels),
                                shows_one_color(draw_) ? nullptr : worker.visible.room_for(pixels),
-                               worker.color.room_for(4 * std::size_t(stride) + 16)},
+                               worker.color.room_for(pixels)},
                               nullptr,
                               worker.kept.room_for(kept_bytes),
-                              {}};
+                              {},
+                              {worker.fragment_place.room_for(with_slack),
+                               worker.fragment_e1.room_for(with_slack),
+                               worker.fragment_e2.room_for(with_slack),
+                               worker.fragment_groups.room_for(fragments / 16), 0, int(fragments), 0,
+                               int(fragments / 16)}};
             worker.shaded_pixels = 0;
         }
         const auto listed_in = [&](int tile) {

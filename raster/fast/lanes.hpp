@@ -321,6 +321,35 @@ RELEVO_LANE Bools first_of_equals(Ints a) {
 }
 #endif
 
+// In each lane the number of another one: the same for many registers.
+struct Picked {
+    decltype(hn::IndicesFromVec(TagI(), hn::Zero(TagI()))) by;
+    Ints lane;
+    // lane: 0 .. N-1
+    RELEVO_LANE explicit Picked(Ints lanes_numbers)
+        : by(hn::IndicesFromVec(TagI(), lanes_numbers.v)), lane(lanes_numbers) {}
+
+    RELEVO_LANE Ints operator()(Ints a) const { return Ints(hn::TableLookupLanes(a.v, by)); }
+    RELEVO_LANE Floats operator()(Floats a) const { return bits_float((*this)(float_bits(a))); }
+    RELEVO_LANE Doubles operator()(Doubles a) const {
+        const auto half = [&](auto number) RELEVO_INSIDE {
+#if HWY_TARGET == HWY_AVX3
+            return hn::Vec<TagD>{
+                _mm512_permutex2var_pd(a.low.raw, _mm512_cvtepu32_epi64(number.raw), a.high.raw)};
+#else
+            const hn::ScalableTag<std::int64_t> wide;
+            const auto index = hn::PromoteTo(wide, number);
+            const auto last = hn::Set(wide, lanes / 2 - 1);
+            const auto in_half = hn::IndicesFromVec(TagD(), hn::And(index, last));
+            return hn::IfThenElse(hn::RebindMask(TagD(), hn::Gt(index, last)),
+                                  hn::TableLookupLanes(a.high, in_half),
+                                  hn::TableLookupLanes(a.low, in_half));
+#endif
+        };
+        return {half(hn::LowerHalf(HalfI(), lane.v)), half(hn::UpperHalf(HalfI(), lane.v))};
+    }
+};
+
 // ------------------------------------------------------------------------------------------------ memory
 // Of N values in a row; `aligned` ones stand on a multiple of the register's size.
 RELEVO_LANE Floats load(const float* p) { return Floats(hn::LoadU(TagF(), p)); }

@@ -136,55 +136,35 @@ RELEVO_LANE void for_each_piece(const DrawState& draw, const PieceLanes& p, Visi
     });
 }
 
-// The triangles `ids` of the model, in every lane one.
-template <class Program>
-RELEVO_LANE LaneSetup<Program> set_up(const DrawState& draw, const ModelState& model, const LaneIds& ids) {
-    constexpr std::size_t size = Program::size;
-    LaneSetup<Program> s;
-    if constexpr (size == 0 && !Program::needs_face) return s;
+// How the corners stand in the window, of N triangles.
+struct LaneOrder {
+    Bools one, two;  // corner 0 is the mesh's 1, or 2
+    Bools back;      // is seen
+};
 
+// What the corners of the triangles `ids` of the model carry, and their faces' light.
+template <class Program>
+RELEVO_LANE void load_carried(const DrawState& draw, const ModelState& model, const LaneIds& ids,
+                              const LaneOrder& order, LaneSetup<Program>& s) {
+    constexpr std::size_t size = Program::size;
+    if constexpr (size == 0 && !Program::needs_face) return;
     Ints corner[3];  // the vertices' numbers
     const Ints local = ids.primitive - Ints(static_cast<std::int32_t>(model.first_primitive));
     const Ints first_index = local + local + local;
     for (int c = 0; c < 3; ++c) corner[c] = gather(model.indices.data() + c, first_index);
-    PieceLanes pieces;
-    if (ids.pieces) store(ids.id, pieces.id);
 
     alignas(64) std::uint32_t offset[3][lanes];
-    Bools back = first_lanes(0), one = back, two = back;
-    if (size > 0 || model.setup.surface.two_sided) {
-        LaneCorner window[3];
-        for (int c = 0; c < 3; ++c) {
-            store(shift_left<1>(corner[c]), offset[c]);
-            const Quad q = load_quads(model.window, offset[c]);
-            window[c] = {float_bits(q.a), float_bits(q.b), q.c, q.d};
-        }
-        if (ids.pieces) {
-            for (int c = 0; c < 3; ++c)
-                store(window[c].x, pieces.x[c]), store(window[c].y, pieces.y[c]),
-                    store(window[c].rw, pieces.rw[c]);
-            read_corners(draw, pieces);
-            for (int c = 0; c < 3; ++c)
-                window[c] = {load(pieces.x[c]), load(pieces.y[c]), window[c].z, load(pieces.rw[c])};
-        }
-        const OrderedTriangles t = canonical_order(window[0], window[1], window[2]);
-        one = t.one, two = t.two, back = model.setup.mirrored ? t.negative : !t.negative;
-        s.x0 = t.c0.x, s.y0 = t.c0.y, s.rw0 = t.c0.rw, s.rw1 = t.c1.rw, s.rw2 = t.c2.rw;
-        s.dx1 = to_wide(t.dx1), s.dy1 = to_wide(t.dy1), s.dx2 = to_wide(t.dx2), s.dy2 = to_wide(t.dy2);
-        s.area = t.area;
-    }
-
     if constexpr (size > 0) {
-        // the corners in their canonical order: 0 1 2, 1 2 0 or 2 0 1
-        const Ints ordered[3] = {select(two, corner[2], select(one, corner[1], corner[0])),
-                                 select(two, corner[0], select(one, corner[2], corner[1])),
-                                 select(two, corner[1], select(one, corner[0], corner[2]))};
+        const auto [c0, c1, c2] = in_order(order.one, order.two, corner[0], corner[1], corner[2]);
+        const Ints ordered[3] = {c0, c1, c2};
         for (int c = 0; c < 3; ++c) {
             store(size > 4 ? shift_left<2>(ordered[c]) : shift_left<1>(ordered[c]), offset[c]);
             load_carried<Program>(model.carried, offset[c], s.carried[c]);
         }
         if (ids.pieces) {
-            store(select(two, Ints(2), select(one, Ints(1), Ints(0))), pieces.turn);
+            PieceLanes pieces;
+            store(ids.id, pieces.id);
+            store(select(order.two, Ints(2), select(order.one, Ints(1), Ints(0))), pieces.turn);
             for (int c = 0; c < 3; ++c)
                 for (std::size_t j = 0; j < size; ++j) store(s.carried[c][j], pieces.carried[c][j]);
             read_carried(draw, pieces, size);
@@ -192,7 +172,7 @@ RELEVO_LANE LaneSetup<Program> set_up(const DrawState& draw, const ModelState& m
                 for (std::size_t j = 0; j < size; ++j) s.carried[c][j] = load(pieces.carried[c][j]);
         }
         if constexpr (Program::needs_eye) {
-            const Bools turned = back && !is_negative(ids.id);  // a piece already carries its side's numbers
+            const Bools turned = order.back && !is_negative(ids.id);  // a piece already carries its side's
             if (model.setup.both_sides && any(turned)) {
                 for (int c = 0; c < 3; ++c) {
                     store(shift_left<2>(ordered[c]), offset[c]);
@@ -208,8 +188,43 @@ RELEVO_LANE LaneSetup<Program> set_up(const DrawState& draw, const ModelState& m
         s.face = reflect_face<Floats>(
             model.setup.surface,
             {eye_position(model, offset[0]), eye_position(model, offset[1]), eye_position(model, offset[2])},
-            back, model.setup.mirrored);
+            order.back, model.setup.mirrored);
     }
+}
+
+// The triangles `ids` of the model, in every lane one.
+template <class Program>
+RELEVO_LANE LaneSetup<Program> set_up(const DrawState& draw, const ModelState& model, const LaneIds& ids) {
+    LaneSetup<Program> s;
+    if constexpr (Program::size == 0 && !Program::needs_face) return s;
+    LaneOrder order{first_lanes(0), first_lanes(0), first_lanes(0)};
+    if (Program::size > 0 || model.setup.surface.two_sided) {
+        const Ints local = ids.primitive - Ints(static_cast<std::int32_t>(model.first_primitive));
+        const Ints first_index = local + local + local;
+        LaneCorner window[3];
+        for (int c = 0; c < 3; ++c) {
+            alignas(64) std::uint32_t offset[lanes];
+            store(shift_left<1>(gather(model.indices.data() + c, first_index)), offset);
+            const Quad q = load_quads(model.window, offset);
+            window[c] = {float_bits(q.a), float_bits(q.b), q.c, q.d};
+        }
+        if (ids.pieces) {
+            PieceLanes pieces;
+            store(ids.id, pieces.id);
+            for (int c = 0; c < 3; ++c)
+                store(window[c].x, pieces.x[c]), store(window[c].y, pieces.y[c]),
+                    store(window[c].rw, pieces.rw[c]);
+            read_corners(draw, pieces);
+            for (int c = 0; c < 3; ++c)
+                window[c] = {load(pieces.x[c]), load(pieces.y[c]), window[c].z, load(pieces.rw[c])};
+        }
+        const OrderedTriangles t = canonical_order(window[0], window[1], window[2]);
+        order = {t.one, t.two, model.setup.mirrored ? t.negative : !t.negative};
+        s.x0 = t.c0.x, s.y0 = t.c0.y, s.rw0 = t.c0.rw, s.rw1 = t.c1.rw, s.rw2 = t.c2.rw;
+        s.dx1 = to_wide(t.dx1), s.dy1 = to_wide(t.dy1), s.dx2 = to_wide(t.dx2), s.dy2 = to_wide(t.dy2);
+        s.area = t.area;
+    }
+    load_carried(draw, model, ids, order, s);
     return s;
 }
 

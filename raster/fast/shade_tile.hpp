@@ -12,6 +12,8 @@
 #pragma once
 #include "raster/fast/cover_tile.hpp"
 #include "raster/fast/kept_setups.hpp"
+#include "raster/fast/shade_fragments.hpp"
+#include "raster/fast/tile_at.hpp"
 #include "raster/fast/twice.hpp"
 #include "raster/fast/write_tile.hpp"
 
@@ -19,20 +21,6 @@ namespace relevo::raster::fast::HWY_NAMESPACE {
 
 // With more triangles in a block it is faster that every lane sets up its own.
 inline constexpr int most_seen = lanes == 16 ? 8 : lanes == 8 ? 5 : 3;
-
-// Calls use(Program{}) with the program of the model: textured or not.
-template <template <bool> class Program, class Use>
-RELEVO_LANE void with_texture(const ModelState& model, Use&& use) {
-    model.textured ? use(Program<true>{}) : use(Program<false>{});
-}
-
-// The tile at hand.
-struct TileAt {
-    const DrawState& draw;
-    TileScratch& scratch;
-    int listed;  // ids
-    const TileBox& box;
-};
 
 // A block of pixels: where it stands in the tile, and which of its lanes show a triangle.
 struct BlockAt {
@@ -42,10 +30,6 @@ struct BlockAt {
     Ints numbers;  // of the triangles
 };
 
-RELEVO_LANE pipeline::LinearRgb* linear_at(const TileAt& at, int row, int column) {
-    return at.draw.linear + std::size_t(at.box.y0 + row) * std::size_t(at.draw.viewport.width) + at.box.x0 +
-           column;
-}
 [[gnu::noinline]] static void write_linear(const TileAt& at, const RgbOf<Floats>& c, std::uint32_t which,
                                            int row, int column) {
     alignas(64) float rgb[3][lanes];
@@ -60,7 +44,7 @@ RELEVO_LANE pipeline::LinearRgb* linear_at(const TileAt& at, int row, int column
 RELEVO_LANE void write_block(const TileAt& at, Words packed, const RgbOf<Floats>& c, std::uint32_t which,
                              int row, int column) {
     const TileMemory& tile = at.scratch.tile;
-    std::uint32_t* to = tile.color + row % block_rows * tile.stride + column;
+    std::uint32_t* to = at.color_row(row) + column;
     Ints colors = to_whole(packed);
     if (which != all_bits) colors = select(from_bits(which), colors, load_block(to, tile.stride));
     store_block(colors, to, tile.stride);
@@ -69,7 +53,7 @@ RELEVO_LANE void write_block(const TileAt& at, Words packed, const RgbOf<Floats>
 RELEVO_LANE void write_background(const TileAt& at, int row, int column) {
     const TileMemory& tile = at.scratch.tile;
     store_block(Ints(std::bit_cast<std::int32_t>(at.draw.background8)),
-                tile.color + row % block_rows * tile.stride + column, tile.stride);
+                at.color_row(row) + column, tile.stride);
     if (at.draw.linear == nullptr) return;
     for (int y = row; y < at.box.height && y < row + block_rows; ++y)
         for (int x = column; x < at.box.width && x < column + block_columns; ++x)
@@ -407,6 +391,7 @@ template <template <bool> class Program>
     WaitingBlocks waiting;
     std::uint64_t shaded = 0;
     const TileMemory tile = at.scratch.tile;
+    const bool has_plane = at.has_plane();
     std::uint32_t last = nothing;  // number of the triangle that `setup` is of
     KeptSetup setup{};
     const auto set_up_of = [&](std::uint32_t number) RELEVO_INSIDE {
@@ -422,6 +407,7 @@ template <template <bool> class Program>
             const Ints numbers = load_block(visible, tile.stride);
             const std::uint32_t first = *visible;
             const Bools like_first = numbers == Ints(static_cast<std::int32_t>(first));
+            if (has_plane && all(is_negative(numbers))) continue;
             if (bits(like_first) == all_bits) {
                 BlockAt block{row, column, x, y, all_bits, numbers};
                 if (first == nothing) {
@@ -439,19 +425,46 @@ template <template <bool> class Program>
                 }
                 continue;
             }
-            const BlockAt block{row, column, x, y, all_bits & ~bits(numbers == Ints(-1)), numbers};
+            const BlockAt block{row, column, x, y, all_bits & ~bits(is_negative(numbers)), numbers};
             shaded += static_cast<unsigned>(std::popcount(block.covered));
-            if (block.covered != all_bits) write_background(at, row, column);
+            if (block.covered != all_bits && !has_plane) write_background(at, row, column);
             if (!shade_few<Program>(at, kept, waiting, block)) shade_many<Program>(at, waiting, block);
             last = nothing;  // its set-up may have been replaced
         }
         if (waiting.count > 0) light_blocks<Program>(at, waiting);
         for (int line = row; line < row + block_rows && line < at.box.height; ++line)
             write_tile_row(at.draw, at.scratch, at.box, line, [&](int k) RELEVO_INSIDE {
-                return load(tile.color + (line - row) * tile.stride + k);
+                return load(at.color_row(line) + k);
             });
     }
     return shaded;
+}
+
+// A tile with kept fragments.
+template <template <bool> class Program>
+RELEVO_LANE std::uint64_t shade_plane(const TileAt& at) {
+    const TileMemory& tile = at.scratch.tile;
+    const Ints background(std::bit_cast<std::int32_t>(at.draw.background8));
+    const int rows = (at.box.height + block_rows - 1) / block_rows * block_rows;
+    int covered = 0;
+    for (int k = 0; k < rows * tile.stride; k += lanes) {
+        store(background, tile.color + k);
+        covered += count(!(load(tile.visible + k) == Ints(-1)));
+    }
+    for (int y = 0; at.draw.linear != nullptr && y < at.box.height; ++y)
+        std::fill_n(linear_at(at, y, 0), at.box.width, at.draw.background);
+    std::uint64_t shaded = shade_fragments<Program>(at, covered);
+    if (at.scratch.in_blocks) return shaded + shade_blocks<Program>(at);
+    for (int y = 0; y < at.box.height; ++y) {
+        write_tile_row(at.draw, at.scratch, at.box, y,
+                       [&](int k) RELEVO_INSIDE { return load(at.color_row(y) + k); });
+        write_background_row(at.draw, at.scratch.background);
+    }
+    return shaded;
+}
+template <template <bool> class Program>
+RELEVO_LANE std::uint64_t shade_any(const TileAt& at) {
+    return at.has_plane() ? shade_plane<Program>(at) : shade_blocks<Program>(at);
 }
 
 // Everything is of one colour.
@@ -481,13 +494,13 @@ RELEVO_LANE std::uint64_t shade_tile(const DrawState& draw, TileScratch& scratch
     switch (draw.settings.shading) {
         case Shading::Unlit:
             if (scratch.tile.visible == nullptr) return shade_one_color(at);
-            return shade_blocks<Unlit>(at);
+            return shade_any<Unlit>(at);
         case Shading::Flat:
-            return shade_blocks<Flat>(at);
+            return shade_any<Flat>(at);
         case Shading::Gouraud:
-            return shade_blocks<Gouraud>(at);
+            return shade_any<Gouraud>(at);
         case Shading::Phong:
-            return shade_blocks<Phong>(at);
+            return shade_any<Phong>(at);
     }
     return 0;
 }

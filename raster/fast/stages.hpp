@@ -5,6 +5,7 @@
 
 #include "raster/fast/bins.hpp"
 #include "raster/fast/draw_state.hpp"
+#include "raster/fast/fragments.hpp"
 
 namespace relevo::raster::fast {
 
@@ -20,6 +21,8 @@ struct TileScratch {
     std::uint32_t* ids = nullptr;  // the tile's list; room for first_block ids more
     std::byte* kept = nullptr;     // set-ups of triangles for shading, kept_bytes
     Background background;         // is empty when the tile is done
+    Fragments fragments;
+    bool in_blocks = true;  // whether triangles are seen whose fragments are not kept
 };
 inline constexpr std::size_t kept_triangles = 2048, kept_bytes = kept_triangles * 240;
 

@@ -70,7 +70,7 @@ RELEVO_LANE void write_tile_row(const DrawState& draw, const TileScratch& scratc
     for (int x = 0; draw.visible != nullptr && x < box.width; ++x) {
         const std::uint32_t number = scratch.tile.visible[from + x];
         draw.visible[at + std::size_t(x)] =
-            number == nothing ? nothing : primitive_of(draw, scratch.ids[number]);
+            number == nothing ? nothing : primitive_of(draw, scratch.ids[number & ~kept_bit]);
     }
 }
 

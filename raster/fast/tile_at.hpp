@@ -1,0 +1,36 @@
+// A tile that is being shaded, and where its colours go.
+//
+//   color   with kept fragments: a plane, as large as the tile, that holds the background at first
+//           without: the rows of the blocks at hand
+#pragma once
+#include "raster/fast/draw_state.hpp"
+#include "raster/fast/lanes.hpp"
+#include "raster/fast/stages.hpp"
+#include "raster/fast/write_tile.hpp"
+
+namespace relevo::raster::fast::HWY_NAMESPACE {
+
+// Calls use(Program{}) with the program of the model: textured or not.
+template <template <bool> class Program, class Use>
+RELEVO_LANE void with_texture(const ModelState& model, Use&& use) {
+    model.textured ? use(Program<true>{}) : use(Program<false>{});
+}
+
+struct TileAt {
+    const DrawState& draw;
+    TileScratch& scratch;
+    int listed;  // ids
+    const TileBox& box;
+
+    RELEVO_LANE bool has_plane() const { return scratch.fragments.group_count > 0; }
+    RELEVO_LANE std::uint32_t* color_row(int row) const {
+        return scratch.tile.color + (has_plane() ? row : row % block_rows) * scratch.tile.stride;
+    }
+};
+
+RELEVO_LANE pipeline::LinearRgb* linear_at(const TileAt& at, int row, int column) {
+    return at.draw.linear + std::size_t(at.box.y0 + row) * std::size_t(at.draw.viewport.width) + at.box.x0 +
+           column;
+}
+
+}  // namespace relevo::raster::fast::HWY_NAMESPACE
