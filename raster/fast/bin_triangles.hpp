@@ -11,6 +11,7 @@
 #pragma once
 #include "raster/fast/bins.hpp"
 #include "raster/fast/corners.hpp"
+#include "raster/fast/shade_setup.hpp"
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
@@ -32,11 +33,20 @@ RELEVO_LANE Bools covers_centre(const LaneCorner& a, const LaneCorner& b, const 
     return inside(p, q) & inside(q, r) & inside(r, p);
 }
 
+// The corners of N triangles; index: 3 N vertices' numbers.
+RELEVO_LANE GroupCorners load_corners(const SnappedCorner* window, const std::uint32_t* index) {
+    const auto corners = [&](int c) RELEVO_INSIDE {
+        return corner_of(load_quads([&](int k) RELEVO_INSIDE {
+            return reinterpret_cast<const float*>(window + index[3 * k + c]);
+        }));
+    };
+    return {corners(0), corners(1), corners(2)};
+}
+
 RELEVO_LANE void bin_group(const DrawState& draw, Chunk& chunk, const ModelState& model,
-                           const SnappedCorner* corner0, const SnappedCorner* corner1,
-                           const SnappedCorner* corner2, std::uint32_t primitive, int count_in_group,
+                           const GroupCorners& corners, std::uint32_t primitive, int count_in_group,
                            int tile_bits) {
-    const LaneCorner a = load_corners(corner0), b = load_corners(corner1), c = load_corners(corner2);
+    const auto& [a, b, c] = corners;
     const Bools valid = first_lanes(count_in_group);
     const Bools coded = (a.rw == 0 || b.rw == 0 || c.rw == 0) && valid;
 
@@ -100,20 +110,18 @@ RELEVO_LANE void bin_group(const DrawState& draw, Chunk& chunk, const ModelState
 
 RELEVO_LANE void bin_triangles(const DrawState& draw, Chunk& chunk) {
     const int tile_bits = std::countr_zero(static_cast<unsigned>(draw.tile));
-    StagedCorners staged;
     for (const ModelState& model : draw.models) {
         const std::uint32_t first = std::max(chunk.first, model.first_primitive),
                             last = std::min(chunk.last, model.first_primitive + model.triangles);
-        for (std::uint32_t primitive = first; primitive < last; primitive += bin_batch) {
-            const int in_batch = static_cast<int>(std::min<std::uint32_t>(bin_batch, last - primitive));
+        for (std::uint32_t primitive = first; primitive < last; primitive += lanes) {
+            const int n = static_cast<int>(std::min<std::uint32_t>(lanes, last - primitive));
             const std::uint32_t* index = &model.indices[3 * (std::size_t{primitive} - model.first_primitive)];
-            for (int k = 0; k < in_batch; ++k, index += 3)
-                for (int corner = 0; corner < 3; ++corner)
-                    copy_corner(model.window[index[corner]], staged.corner[corner][k]);
-            for (int k = 0; k < in_batch; k += lanes)
-                bin_group(draw, chunk, model, &staged.corner[0][k], &staged.corner[1][k],
-                          &staged.corner[2][k], primitive + static_cast<std::uint32_t>(k),
-                          std::min(lanes, in_batch - k), tile_bits);
+            std::uint32_t some[3 * lanes];
+            if (n < lanes) {
+                for (int k = 0; k < 3 * lanes; ++k) some[k] = index[std::min(k, 3 * n - 1)];
+                index = some;
+            }
+            bin_group(draw, chunk, model, load_corners(model.window, index), primitive, n, tile_bits);
         }
         if (last > first) chunk.counts.triangles += last - first;
     }

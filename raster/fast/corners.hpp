@@ -9,6 +9,11 @@ namespace relevo::raster::fast::HWY_NAMESPACE {
 
 using LaneCorner = pipeline::SnappedCornerOf<Floats>;
 
+// Of N triangles.
+struct GroupCorners {
+    LaneCorner a, b, c;
+};
+
 // N corners in a row: x y z rw | x y z rw | ...
 RELEVO_LANE LaneCorner load_corners(const SnappedCorner* corners) {
     hn::Vec<TagF> x, y, z, rw;

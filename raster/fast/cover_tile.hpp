@@ -18,12 +18,11 @@ RELEVO_LANE Ints bias_of(Ints dx, Ints dy) { return select(is_top_left(dx, dy), 
 
 // N triangles of the tile, corners staged side by side.
 RELEVO_LANE void cover_group(const DrawState& draw, TileScratch& scratch, const TileBox& box,
-                             const SnappedCorner* corner0, const SnappedCorner* corner1,
-                             const SnappedCorner* corner2, std::uint32_t first_number, int count_in_group) {
+                             const GroupCorners& corners, std::uint32_t first_number, int count_in_group) {
     const TileMemory& tile = scratch.tile;
     const Nearness nearness = nearness_of(draw);
     const auto triangle =
-        canonical_order(load_corners(corner0), load_corners(corner1), load_corners(corner2));
+        canonical_order(corners.a, corners.b, corners.c);
     const LaneCorner &c0 = triangle.c0, &c1 = triangle.c1, &c2 = triangle.c2;
     const Ints dx1 = triangle.dx1, dy1 = triangle.dy1, dx2 = triangle.dx2, dy2 = triangle.dy2;
     const auto plane = make_interpolator(triangle);
@@ -103,16 +102,12 @@ RELEVO_LANE int cover_tile(const DrawState& draw, const Chunk* chunks, int chunk
         store(cleared, tile.nearness + k);
         if (tile.visible != nullptr) store(none, tile.visible + k);
     }
-    alignas(64) SnappedCorner staged[3][cover_batch + 16];
-    for (int first = 0; list.read(first + 2 * cover_batch), first < list.known(); first += cover_batch) {
-        const int known = list.known() - first, n = known < cover_batch ? known : cover_batch;
-        if (draw.carried)
-            stage_corners<true>(draw, scratch.ids + first, n, known, staged);
-        else
-            stage_corners<false>(draw, scratch.ids + first, n, known, staged);
-        for (int k = 0; k < n; k += lanes)
-            cover_group(draw, scratch, box, &staged[0][k], &staged[1][k], &staged[2][k],
-                        static_cast<std::uint32_t>(first + k), n - k < lanes ? n - k : lanes);
+    for (int first = 0; list.read(first + 2 * ids_ahead + lanes), first < list.known(); first += lanes) {
+        const int known = list.known() - first, n = known < lanes ? known : lanes;
+        cover_group(draw, scratch, box,
+                    draw.carried ? load_group<true>(draw, scratch.ids + first, n, known)
+                                 : load_group<false>(draw, scratch.ids + first, n, known),
+                    static_cast<std::uint32_t>(first), n);
     }
     return list.known();
 }

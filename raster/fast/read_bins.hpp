@@ -6,6 +6,7 @@
 
 #include "raster/fast/bins.hpp"
 #include "raster/fast/corners.hpp"
+#include "raster/fast/shade_setup.hpp"
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
@@ -67,18 +68,46 @@ class TileIds {
     std::uint32_t left_ = 0, size_ = first_block;  // ids of the list
 };
 
-inline constexpr int cover_batch = 64;
+// Triangles ahead whose corners are asked for.
+inline constexpr int ids_ahead = 32;
 
-// Copies the corners of the first n triangles side by side; they are of any models, whole or pieces. `known`:
-// ids.
+// The corners of the first n <= N triangles; they are of any models, whole or pieces. `known`: ids.
 // Meanwhile it asks for what a later call will want and, with `carried`, shading: the corners, and what they
 // carry, stand all over memory.
 template <bool carried>
-RELEVO_LANE void stage_corners(const DrawState& draw, const std::uint32_t* ids, int n, int known,
-                               SnappedCorner (&staged)[3][cover_batch + 16]) {
-    std::uint32_t model_first = 1, model_last = 0;  // of the model at hand: none yet
-    const ModelState* model = nullptr;
-    for (int k = 0; k < n; ++k) {
+RELEVO_LANE GroupCorners load_group(const DrawState& draw, const std::uint32_t* ids, int n, int known) {
+    const ModelState* model = &draw.models[0];
+    if (draw.models.size() > 1 && !(ids[0] & piece_bit)) model = &draw.models[model_of(draw, ids[0])];
+    const std::uint32_t first = model->first_primitive, triangles = model->triangles;
+    std::uint32_t offset[3][lanes];
+    int k = 0;
+    for (; k < n; ++k) {
+        const std::uint32_t local = ids[k] - first;
+        if (local >= triangles) break;
+        const std::uint32_t* index = &model->indices[3 * std::size_t{local}];
+        for (int c = 0; c < 3; ++c) offset[c][k] = 2 * index[c];
+        if constexpr (carried)
+            for (const int corner : {0, 2})  // two of three are all, in strips and grids
+                __builtin_prefetch(model->carried + index[corner] * std::size_t(model->stride), 0, 2);
+        if (k + 2 * ids_ahead < known) {
+            const std::uint32_t far = ids[k + 2 * ids_ahead] - first;
+            if (far < triangles) hwy::Prefetch(&model->indices[3 * std::size_t{far}]);
+        }
+        if (k + ids_ahead >= known) continue;
+        const std::uint32_t later = ids[k + ids_ahead] - first;
+        if (later >= triangles) continue;
+        index = &model->indices[3 * std::size_t{later}];
+        hwy::Prefetch(&model->window[index[0]]), hwy::Prefetch(&model->window[index[2]]);
+    }
+    if (k == n) {
+        for (; k < lanes; ++k)
+            for (int c = 0; c < 3; ++c) offset[c][k] = 0;
+        const auto corners = [&](int c)
+                                 RELEVO_INSIDE { return corner_of(load_quads(model->window, offset[c])); };
+        return {corners(0), corners(1), corners(2)};
+    }
+    alignas(64) SnappedCorner staged[3][lanes]{};
+    for (k = 0; k < n; ++k) {
         const std::uint32_t id = ids[k];
         if (id & piece_bit) {
             Piece again;
@@ -86,22 +115,12 @@ RELEVO_LANE void stage_corners(const DrawState& draw, const std::uint32_t* ids, 
             for (int corner = 0; corner < 3; ++corner) copy_corner(p.window[corner], staged[corner][k]);
             continue;
         }
-        if (!(model_first <= id && id < model_last)) {
-            model = &draw.models[model_of(draw, id)];
-            model_first = model->first_primitive, model_last = model_first + model->triangles;
-        }
-        const std::uint32_t* index = &model->indices[3 * (std::size_t{id} - model_first)];
+        model = &draw.models[model_of(draw, id)];
+        const std::uint32_t* index = &model->indices[3 * (std::size_t{id} - model->first_primitive)];
         for (int corner = 0; corner < 3; ++corner)
             copy_corner(model->window[index[corner]], staged[corner][k]);
-        if constexpr (carried)
-            for (const int corner : {0, 2})  // two of three are all, in strips and grids
-                __builtin_prefetch(model->carried + index[corner] * std::size_t(model->stride), 0, 2);
-        if (k + cover_batch >= known) continue;
-        const std::uint32_t later = ids[k + cover_batch];
-        if (!(model_first <= later && later < model_last)) continue;
-        index = &model->indices[3 * (std::size_t{later} - model_first)];
-        hwy::Prefetch(&model->window[index[0]]), hwy::Prefetch(&model->window[index[2]]);
     }
+    return {load_corners(staged[0]), load_corners(staged[1]), load_corners(staged[2])};
 }
 
 }  // namespace relevo::raster::fast::HWY_NAMESPACE

@@ -24,13 +24,11 @@ using pipeline::Vec3Of;
 struct Quad {
     Floats a, b, c, d;
 };
-// base + 8 offset bytes: where the four numbers of a lane stand.
-RELEVO_LANE Quad load_quads(const void* base, const std::uint32_t (&offset)[lanes]) {
+// place(k): where the four numbers of lane k stand.
+template <class Place>
+RELEVO_LANE Quad load_quads(Place&& place) {
     const hn::Full128<float> four;
     const hn::Half<TagF> half;
-    const auto place = [&](int k) RELEVO_INSIDE {
-        return reinterpret_cast<const float*>(static_cast<const char*>(base) + std::size_t{offset[k]} * 8);
-    };
     const auto rows = [&](auto j) RELEVO_INSIDE {  // of the lanes j, j + 4, j + 8, j + 12
         if constexpr (lanes == 4) {
             return hn::LoadU(four, place(j));
@@ -55,6 +53,14 @@ RELEVO_LANE Quad load_quads(const void* base, const std::uint32_t (&offset)[lane
             floats(hn::InterleaveLower(TagU64(), high01, high23)),
             floats(hn::InterleaveUpper(TagU64(), high01, high23))};
 }
+
+// base + 8 offset bytes: where the four numbers of a lane stand.
+RELEVO_LANE Quad load_quads(const void* base, const std::uint32_t (&offset)[lanes]) {
+    return load_quads([&](int k) RELEVO_INSIDE {
+        return reinterpret_cast<const float*>(static_cast<const char*>(base) + std::size_t{offset[k]} * 8);
+    });
+}
+RELEVO_LANE LaneCorner corner_of(const Quad& q) { return {float_bits(q.a), float_bits(q.b), q.c, q.d}; }
 
 // ------------------------------------------------------------------------------------------------ lanes
 template <class Program, class Real>
@@ -205,8 +211,7 @@ RELEVO_LANE LaneSetup<Program> set_up(const DrawState& draw, const ModelState& m
         for (int c = 0; c < 3; ++c) {
             alignas(64) std::uint32_t offset[lanes];
             store(shift_left<1>(gather(model.indices.data() + c, first_index)), offset);
-            const Quad q = load_quads(model.window, offset);
-            window[c] = {float_bits(q.a), float_bits(q.b), q.c, q.d};
+            window[c] = corner_of(load_quads(model.window, offset));
         }
         if (ids.pieces) {
             PieceLanes pieces;
