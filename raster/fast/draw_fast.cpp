@@ -409,8 +409,8 @@ class FastDraw {
                               {worker.fragment_place.room_for(with_slack),
                                worker.fragment_e1.room_for(with_slack),
                                worker.fragment_e2.room_for(with_slack),
-                               worker.fragment_groups.room_for(fragments / 16), 0, int(fragments), 0,
-                               int(fragments / 16)}};
+                               worker.fragment_groups.room_for(fragments / 32), 0, int(fragments), 0,
+                               int(fragments / 32)}};
             worker.shaded_pixels = 0;
         }
         const auto listed_in = [&](int tile) {

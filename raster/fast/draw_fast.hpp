@@ -42,7 +42,7 @@ class Workspace {
 
 struct Options {
     InstructionSet instruction_set = InstructionSet::Sse4;  // one of instruction_sets()
-    int tile = 64;                                          // pixels a side: 32, 64 or 128
+    int tile = 128;                                         // pixels a side: 32, 64 or 128
     Workers* workers = nullptr;                             // null: this thread alone
     Image<std::uint32_t>* visible = nullptr;  // if given: the primitive that each pixel shows, or `nothing`
 };

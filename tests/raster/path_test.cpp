@@ -38,8 +38,8 @@ TEST(Path, TheFastOneWhereverItIsPossible) {
         EXPECT_TRUE(plan.fast);
         EXPECT_EQ(plan.instruction_set, widest);
         EXPECT_EQ(plan.threads, 2);
-        EXPECT_EQ(plan.tile, 64);
-        EXPECT_EQ(plan.reason, "fast: " + std::string(name(widest)) + ", 2 threads, tiles of 64 pixels");
+        EXPECT_EQ(plan.tile, 128);
+        EXPECT_EQ(plan.reason, "fast: " + std::string(name(widest)) + ", 2 threads, tiles of 128 pixels");
     }
 }
 
@@ -49,7 +49,7 @@ TEST(Path, AnInstructionSetOnDemand) {
         const bool has = std::find(there.begin(), there.end(), set) != there.end();
         const PathPlan plan = plan_path({}, asking_for(Path::Auto, set));
         EXPECT_EQ(plan.fast, has);
-        EXPECT_EQ(plan.reason, has ? "fast: " + std::string(name(set)) + ", 1 thread, tiles of 64 pixels"
+        EXPECT_EQ(plan.reason, has ? "fast: " + std::string(name(set)) + ", 1 thread, tiles of 128 pixels"
                                : there.empty() ? impossible
                                                : "textbook: this processor lacks " + std::string(name(set)));
     }
