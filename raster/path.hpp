@@ -16,7 +16,7 @@ struct PathPlan {
     bool fast = false;
     fast::InstructionSet instruction_set{};  // these three: when fast
     int threads = 1, tile = 0;
-    std::string reason;  // one clause: "fast: AVX-512, 2 threads, tiles of 64 pixels", "textbook: asked for"
+    std::string reason;  // one clause: "fast: AVX-512, 2 threads, tiles of 128 pixels", "textbook: asked for"
 };
 
 // The path for this scene. The fast one takes settings.instruction_set, or the widest that is there, and

@@ -40,13 +40,13 @@ RELEVO_LANE GroupCorners load_corners(const SnappedCorner* window, const std::ui
             return reinterpret_cast<const float*>(window + index[3 * k + c]);
         }));
     };
-    return {corners(0), corners(1), corners(2)};
+    return {corners(0), corners(1), corners(2), nullptr, {}};
 }
 
 RELEVO_LANE void bin_group(const DrawState& draw, Chunk& chunk, const ModelState& model,
                            const GroupCorners& corners, std::uint32_t primitive, int count_in_group,
                            int tile_bits) {
-    const auto& [a, b, c] = corners;
+    const LaneCorner &a = corners.a, &b = corners.b, &c = corners.c;
     const Bools valid = first_lanes(count_in_group);
     const Bools coded = (a.rw == 0 || b.rw == 0 || c.rw == 0) && valid;
 

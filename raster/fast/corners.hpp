@@ -12,6 +12,8 @@ using LaneCorner = pipeline::SnappedCornerOf<Floats>;
 // Of N triangles.
 struct GroupCorners {
     LaneCorner a, b, c;
+    const ModelState* model = nullptr;  // of all of them, none a piece; null: not known
+    Ints corner[3];                     // then: the numbers of the vertices
 };
 
 // N corners in a row: x y z rw | x y z rw | ...

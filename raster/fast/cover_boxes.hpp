@@ -50,7 +50,7 @@ RELEVO_LANE int walk_boxes(const Fragments& to, const BoxWalk& walk, int stride,
 
 // `keep`: fragments stay for shading.
 RELEVO_LANE void cover_boxes(const TileMemory& tile, Fragments& fragments, const BoxWalk& walk,
-                             const OrderedTriangles& triangle, const InterpolatorOf<Floats>& plane,
+                             const GroupCorners& corners, const OrderedTriangles& triangle, const InterpolatorOf<Floats>& plane,
                              const Nearness& nearness, std::uint32_t first_number, int most_columns,
                              int most_rows, bool keep) {
     static_assert((most_walked + 1) * lanes <= fragment_slack);
@@ -89,10 +89,13 @@ RELEVO_LANE void cover_boxes(const TileMemory& tile, Fragments& fragments, const
         group.first_number = first_number, group.first = first, group.last = end;
         group.one = bits(triangle.one), group.two = bits(triangle.two);
         group.negative = bits(triangle.negative);
+        group.model = corners.model;
+        for (int c = 0; c < 3; ++c) store(corners.corner[c], group.corner[c]);
         store(walk.area, group.area);
         store(triangle.c0.rw, group.rw[0]), store(triangle.c1.rw, group.rw[1]);
         store(triangle.c2.rw, group.rw[2]);
-        fragments.count = end;
+        fragments.count = (end + lanes - 1) / lanes * lanes;
+        fragments.kept += end - first;
     }
 }
 

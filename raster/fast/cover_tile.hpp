@@ -65,7 +65,7 @@ RELEVO_LANE void cover_group(const DrawState& draw, TileScratch& scratch, const 
         const bool keep = tile.visible != nullptr && fragments.count < fragments.room &&
                           fragments.group_count < fragments.group_room;
         scratch.in_blocks |= !keep;
-        return cover_boxes(tile, fragments, walk, triangle, plane, nearness, first_number, most_columns, most_rows,
+        return cover_boxes(tile, fragments, walk, corners, triangle, plane, nearness, first_number, most_columns, most_rows,
                            keep);
     }
     scratch.in_blocks = true;
@@ -94,7 +94,8 @@ RELEVO_LANE int cover_tile(const DrawState& draw, const Chunk* chunks, int chunk
     list.read(1);
     if (list.known() == 0) return 0;
 
-    scratch.fragments.count = scratch.fragments.group_count = 0, scratch.in_blocks = false;
+    scratch.fragments.count = scratch.fragments.kept = scratch.fragments.group_count = 0;
+    scratch.in_blocks = false;
     const Floats cleared = cleared_nearness(draw);
     const Ints none(static_cast<std::int32_t>(nothing));
     const int rows = (box.height + block_rows - 1) / block_rows * block_rows;
@@ -105,9 +106,7 @@ RELEVO_LANE int cover_tile(const DrawState& draw, const Chunk* chunks, int chunk
     for (int first = 0; list.read(first + 2 * ids_ahead + lanes), first < list.known(); first += lanes) {
         const int known = list.known() - first, n = known < lanes ? known : lanes;
         cover_group(draw, scratch, box,
-                    draw.carried ? load_group<true>(draw, scratch.ids + first, n, known)
-                                 : load_group<false>(draw, scratch.ids + first, n, known),
-                    static_cast<std::uint32_t>(first), n);
+                    load_group(draw, scratch.ids + first, n, known), static_cast<std::uint32_t>(first), n);
     }
     return list.known();
 }

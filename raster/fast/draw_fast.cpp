@@ -337,7 +337,6 @@ class FastDraw {
             with_program(state.shading, state.textured,
                          [&]<class Program>(Program) { state.size = static_cast<int>(Program::size); });
             state.stride = state.size == 0 ? 0 : state.size <= 4 ? 4 : 8;
-            draw_.carried |= state.stride != 0;
             const std::size_t room = (state.vertices.size() + 15) / 16 * 16;
             state.window = memory_.models[m].window.room_for(room);
             state.carried = memory_.models[m].carried.room_for(room * std::size_t(state.stride));
@@ -409,7 +408,7 @@ class FastDraw {
                               {worker.fragment_place.room_for(with_slack),
                                worker.fragment_e1.room_for(with_slack),
                                worker.fragment_e2.room_for(with_slack),
-                               worker.fragment_groups.room_for(fragments / 32), 0, int(fragments), 0,
+                               worker.fragment_groups.room_for(fragments / 32), 0, int(fragments), 0, 0,
                                int(fragments / 32)}};
             worker.shaded_pixels = 0;
         }

@@ -68,7 +68,6 @@ struct Pieces {
 // Everything about a picture that the stages read.
 struct DrawState {
     std::span<const ModelState> models;
-    bool carried = false;            // whether the vertices of some model carry numbers
     std::span<const Pieces> pieces;  // of each chunk
     Settings settings;
     pipeline::Viewport viewport{};

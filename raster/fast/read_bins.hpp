@@ -72,23 +72,18 @@ class TileIds {
 inline constexpr int ids_ahead = 32;
 
 // The corners of the first n <= N triangles; they are of any models, whole or pieces. `known`: ids.
-// Meanwhile it asks for what a later call will want and, with `carried`, shading: the corners, and what they
-// carry, stand all over memory.
-template <bool carried>
+// Meanwhile it asks for what later calls will want: the corners stand all over memory, and their numbers, too.
 RELEVO_LANE GroupCorners load_group(const DrawState& draw, const std::uint32_t* ids, int n, int known) {
     const ModelState* model = &draw.models[0];
     if (draw.models.size() > 1 && !(ids[0] & piece_bit)) model = &draw.models[model_of(draw, ids[0])];
     const std::uint32_t first = model->first_primitive, triangles = model->triangles;
-    std::uint32_t offset[3][lanes];
+    alignas(64) std::uint32_t number[3][lanes];
     int k = 0;
     for (; k < n; ++k) {
         const std::uint32_t local = ids[k] - first;
         if (local >= triangles) break;
         const std::uint32_t* index = &model->indices[3 * std::size_t{local}];
-        for (int c = 0; c < 3; ++c) offset[c][k] = 2 * index[c];
-        if constexpr (carried)
-            for (const int corner : {0, 2})  // two of three are all, in strips and grids
-                __builtin_prefetch(model->carried + index[corner] * std::size_t(model->stride), 0, 2);
+        for (int c = 0; c < 3; ++c) number[c][k] = index[c];
         if (k + 2 * ids_ahead < known) {
             const std::uint32_t far = ids[k + 2 * ids_ahead] - first;
             if (far < triangles) hwy::Prefetch(&model->indices[3 * std::size_t{far}]);
@@ -101,10 +96,13 @@ RELEVO_LANE GroupCorners load_group(const DrawState& draw, const std::uint32_t* 
     }
     if (k == n) {
         for (; k < lanes; ++k)
-            for (int c = 0; c < 3; ++c) offset[c][k] = 0;
-        const auto corners = [&](int c)
-                                 RELEVO_INSIDE { return corner_of(load_quads(model->window, offset[c])); };
-        return {corners(0), corners(1), corners(2)};
+            for (int c = 0; c < 3; ++c) number[c][k] = 0;
+        const auto corners = [&](int c) RELEVO_INSIDE {
+            return corner_of(load_quads([&](int lane) RELEVO_INSIDE {
+                return reinterpret_cast<const float*>(model->window + number[c][lane]);
+            }));
+        };
+        return {corners(0), corners(1), corners(2), model, {load(number[0]), load(number[1]), load(number[2])}};
     }
     alignas(64) SnappedCorner staged[3][lanes]{};
     for (k = 0; k < n; ++k) {
@@ -120,7 +118,7 @@ RELEVO_LANE GroupCorners load_group(const DrawState& draw, const std::uint32_t* 
         for (int corner = 0; corner < 3; ++corner)
             copy_corner(model->window[index[corner]], staged[corner][k]);
     }
-    return {load_corners(staged[0]), load_corners(staged[1]), load_corners(staged[2])};
+    return {load_corners(staged[0]), load_corners(staged[1]), load_corners(staged[2]), nullptr, {}};
 }
 
 }  // namespace relevo::raster::fast::HWY_NAMESPACE

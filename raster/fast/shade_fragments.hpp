@@ -7,65 +7,109 @@
 #pragma once
 #include "raster/fast/shade_setup.hpp"
 #include "raster/fast/tile_at.hpp"
+#include "raster/fast/twice.hpp"
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
-// A row of fragments, and the triangle of each.
+// A register of fragments, and the triangle of each.
 struct FragmentsAt {
     Picked of_triangle;
-    Ints place, e1, e2;
+    Ints e1, e2;
+    Bools valid;
+    const std::uint32_t* place;
 };
-RELEVO_LANE FragmentsAt fragments_at(const Fragments& f, int k) {
-    const Ints place = load(f.place + k);
-    return {Picked(shift_right<16>(place) & Ints(lanes - 1)), place & Ints(0xffff), load(f.e1 + k),
-            load(f.e2 + k)};
+// From the k-th on. Lanes past the end stand on corner 0 of the group's first triangle, where no number is
+// extreme.
+RELEVO_LANE FragmentsAt fragments_at(const Fragments& f, int k, int end) {
+    const Bools valid = first_lanes(end - k < lanes ? end - k : lanes);
+    const auto value = [&](const auto* from) RELEVO_INSIDE { return select(valid, load(from + k), Ints(0)); };
+    return {Picked(shift_right<16>(value(f.place)) & Ints(lanes - 1)), value(f.e1), value(f.e2), valid,
+            f.place + k};
 }
 
-// The colours of fragments of one model; s: what their triangles carry.
+// What reaches the pixels of one model from their triangles.
 template <class P>
-RELEVO_LANE RgbOf<Floats> shade(const ModelState& model, const FragmentGroup& group, const LaneSetup<P>& s,
-                                const FragmentsAt& f) {
-    const Picked& of = f.of_triangle;
-    const Ints area = of(load(group.area));
-    const auto rw_of = [&](int c) RELEVO_INSIDE { return to_wide(of(load(group.rw[c]))); };
-    const InterpolatorOf<Floats> rw{{}, {}, {}, rw_of(0), rw_of(1), rw_of(2)};
-    const auto weights =
-        perspective_weights<Floats>(rw, {to_wide(area - f.e1 - f.e2), to_wide(f.e1), to_wide(f.e2)});
+struct PixelNumbers {
     std::array<Floats, P::size> carried;
-    for (std::size_t k = 0; k < P::size; ++k) {
-        const VaryingPlane<1, Floats> plane = s.plane(k);
-        const VaryingPlane<1, Floats> picked{{of(plane.a0[0])}, {of(plane.d1[0])}, {of(plane.d2[0])}};
-        carried[k] = interpolate(picked, weights)[0];
+    LaneFace<P> face;
+};
+template <class P>
+RELEVO_LANE PixelNumbers<P> pixel_numbers(const FragmentGroup& group, const LaneSetup<P>& s,
+                                          const FragmentsAt& f) {
+    const Picked& of = f.of_triangle;
+    PixelNumbers<P> n;
+    if constexpr (P::size > 0) {
+        const Ints area = of(load(group.area));
+        const auto rw_of = [&](int c) RELEVO_INSIDE { return to_wide(of(load(group.rw[c]))); };
+        const InterpolatorOf<Floats> rw{{}, {}, {}, rw_of(0), rw_of(1), rw_of(2)};
+        const auto weights =
+            perspective_weights<Floats>(rw, {to_wide(area - f.e1 - f.e2), to_wide(f.e1), to_wide(f.e2)});
+        for (std::size_t k = 0; k < P::size; ++k) {
+            const VaryingPlane<1, Floats> plane = s.plane(k);
+            const VaryingPlane<1, Floats> picked{{of(plane.a0[0])}, {of(plane.d1[0])}, {of(plane.d2[0])}};
+            n.carried[k] = interpolate(picked, weights)[0];
+        }
     }
-    LaneFace<P> face{};
     if constexpr (P::needs_face) {
         const auto& [amount, gloss] = s.face;
-        face = {{of(amount.r), of(amount.g), of(amount.b)}, {of(gloss.r), of(gloss.g), of(gloss.b)}};
+        n.face = {{of(amount.r), of(amount.g), of(amount.b)}, {of(gloss.r), of(gloss.g), of(gloss.b)}};
     }
-    return P::template pixel<Floats>(model.setup.surface, face, carried.data());
+    return n;
+}
+
+[[gnu::noinline]] static void write_linear(const TileAt& at, const RgbOf<Floats>& c,
+                                           const std::uint32_t* place, std::uint32_t which) {
+    alignas(64) float rgb[3][lanes];
+    store(c.r, rgb[0]), store(c.g, rgb[1]), store(c.b, rgb[2]);
+    const int stride = at.scratch.tile.stride;
+    for (; which != 0; which &= which - 1) {
+        const int k = std::countr_zero(which), place_of = static_cast<int>(place[k] & 0xffff);
+        *linear_at(at, place_of / stride, place_of % stride) = {rgb[0][k], rgb[1][k], rgb[2][k]};
+    }
 }
 
 // The colours of the fragments in `which` to their places.
-RELEVO_LANE void write_fragments(const TileAt& at, const RgbOf<Floats>& c, Words packed, Ints place,
-                                 std::uint32_t which) {
-    const TileMemory& tile = at.scratch.tile;
-    alignas(64) std::uint32_t colors[lanes], places[lanes];
-    store(to_whole(packed), colors), store(place, places);
+RELEVO_LANE void write_fragments(const TileAt& at, const RgbOf<Floats>& c, Words packed,
+                                 const std::uint32_t* place, std::uint32_t which) {
+    alignas(64) std::uint32_t colors[lanes];
+    store(to_whole(packed), colors);
+    std::uint32_t* to = at.scratch.tile.color;
     if (which == all_bits) {
-        for (int k = 0; k < lanes; ++k) tile.color[places[k]] = colors[k];
+        for (int k = 0; k < lanes; ++k) to[place[k] & 0xffff] = colors[k];
     } else {
         for (std::uint32_t rest = which; rest != 0; rest &= rest - 1) {
             const int k = std::countr_zero(rest);
-            tile.color[places[k]] = colors[k];
+            to[place[k] & 0xffff] = colors[k];
         }
     }
-    if (at.draw.linear == nullptr) return;
-    alignas(64) float rgb[3][lanes];
-    store(c.r, rgb[0]), store(c.g, rgb[1]), store(c.b, rgb[2]);
-    for (std::uint32_t rest = which; rest != 0; rest &= rest - 1) {
-        const int k = std::countr_zero(rest), place_of = static_cast<int>(places[k]);
-        *linear_at(at, place_of / tile.stride, place_of % tile.stride) = {rgb[0][k], rgb[1][k], rgb[2][k]};
+    if (at.draw.linear != nullptr) write_linear(at, c, place, which);
+}
+
+// Asks for what the corners carry, which stands all over memory.
+RELEVO_LANE void prefetch_carried(const FragmentGroup& group) {
+    if (group.model == nullptr || group.model->carried == nullptr) return;
+    for (int k = 0; k < lanes; ++k)
+        for (const int corner : {0, 2})  // two of three are all, in strips and grids
+            hwy::Prefetch(group.model->carried +
+                          group.corner[corner][k] * std::size_t(group.model->stride));
+}
+
+// The fragments of the group that are seen move to its front. Returns their end.
+RELEVO_LANE int keep_seen(const TileMemory& tile, const Fragments& fragments, const FragmentGroup& group) {
+    const Ints first_number(static_cast<std::int32_t>(group.first_number | kept_bit));
+    int end = group.first;
+    for (int k = group.first; k < group.last; k += lanes) {
+        const Ints place = load(fragments.place + k), e1 = load(fragments.e1 + k),
+                   e2 = load(fragments.e2 + k);
+        const Bools in_group = first_lanes(group.last - k < lanes ? group.last - k : lanes);
+        const Bools seen = in_group && gather(tile.visible, place & Ints(0xffff)) ==
+                                           first_number + shift_right<16>(place);
+        store(compress(place, seen), fragments.place + end);  // end <= k: what follows has been read
+        store(compress(e1, seen), fragments.e1 + end);
+        store(compress(e2, seen), fragments.e2 + end);
+        end += count(seen);
     }
+    return end;
 }
 
 // Shades what is seen of all kept fragments. Returns their number. covered: pixels.
@@ -75,24 +119,12 @@ template <template <bool> class Program>
     const DrawState& draw = at.draw;
     std::uint64_t shaded = 0;
     // Without overlap, known by counting, every fragment is seen.
-    const bool all_seen = !at.scratch.in_blocks && covered == fragments.count;
+    const bool all_seen = !at.scratch.in_blocks && covered == fragments.kept;
     for (int g = 0; g < fragments.group_count; ++g) {
         const FragmentGroup& group = fragments.groups[g];
-        const Ints first_number(static_cast<std::int32_t>(group.first_number | kept_bit));
-        std::uint32_t seen[most_walked + 1], any_seen = 0;
-        for (int k = group.first, n = 0; k < group.last; k += lanes, ++n) {
-            const int left = group.last - k;
-            Bools shown = first_lanes(left < lanes ? left : lanes);
-            if (!all_seen) {
-                const Ints place = load(fragments.place + k);
-                shown = shown && gather(at.scratch.tile.visible, place & Ints(0xffff)) ==
-                                     first_number + shift_right<16>(place);
-            }
-            seen[n] = bits(shown);
-            any_seen |= seen[n];
-            shaded += static_cast<unsigned>(std::popcount(seen[n]));
-        }
-        if (any_seen == 0) continue;
+        if (g + 2 < fragments.group_count) prefetch_carried(fragments.groups[g + 2]);
+        const int end = all_seen ? group.last : keep_seen(at.scratch.tile, fragments, group);
+        if (end == group.first) continue;
         const int left = at.listed - static_cast<int>(group.first_number);
         const std::uint32_t triangles = bits(first_lanes(left < lanes ? left : lanes));
         for_each_model(
@@ -102,21 +134,41 @@ template <template <bool> class Program>
                 with_texture<Program>(model, [&]<class P>(P) RELEVO_INSIDE {
                     LaneSetup<P> s;
                     const Bools negative = from_bits(group.negative);
-                    load_carried(draw, model, ids,
+                    std::array<Ints, 3> corner{load(group.corner[0]), load(group.corner[1]), load(group.corner[2])};
+                    if (group.model == nullptr) corner = vertices_of(model, ids);
+                    load_carried(draw, model, ids, corner,
                                  {from_bits(group.one), from_bits(group.two),
                                   model.setup.mirrored ? negative : !negative},
                                  s);
-                    for (int k = group.first, n = 0; k < group.last; k += lanes, ++n) {
-                        const FragmentsAt f = fragments_at(fragments, k);
-                        std::uint32_t mine = seen[n];
-                        if (which != triangles)
-                            mine &= bits(is_negative(f.of_triangle(select(from_bits(which), Ints(-1), Ints(0)))));
-                        if (mine == 0) continue;
-                        const RgbOf<Floats> c = shade<P>(model, group, s, f);
-                        write_fragments(at, c, packed_rgba8<Floats>(c, draw.settings.output), f.place, mine);
+                    const Surface& surface = model.setup.surface;
+                    const auto mine = [&](const FragmentsAt& f) RELEVO_INSIDE {
+                        if (which == triangles) return bits(f.valid);
+                        return bits(f.valid &
+                                    is_negative(f.of_triangle(select(from_bits(which), Ints(-1), Ints(0)))));
+                    };
+                    int k = group.first;
+                    if constexpr (!is_lit_at_once<P> && !P::needs_face) {
+                        for (; k + lanes < end; k += 2 * lanes) {
+                            const FragmentsAt f = fragments_at(fragments, k, end),
+                                              next = fragments_at(fragments, k + lanes, end);
+                            const PixelNumbers<P> n = pixel_numbers<P>(group, s, f), m = pixel_numbers<P>(group, s, next);
+                            std::array<Floats2, P::size> carried;
+                            for (std::size_t j = 0; j < P::size; ++j) carried[j] = {n.carried[j], m.carried[j]};
+                            const RgbOf<Floats2> c = P::template pixel<Floats2>(surface, {}, carried.data());
+                            const Twice<Words> packed = packed_rgba8<Floats2>(c, draw.settings.output);
+                            write_fragments(at, {c.r.a, c.g.a, c.b.a}, packed.a, f.place, mine(f));
+                            write_fragments(at, {c.r.b, c.g.b, c.b.b}, packed.b, next.place, mine(next));
+                        }
+                    }
+                    for (; k < end; k += lanes) {
+                        const FragmentsAt f = fragments_at(fragments, k, end);
+                        const PixelNumbers<P> n = pixel_numbers<P>(group, s, f);
+                        const RgbOf<Floats> c = P::template pixel<Floats>(surface, n.face, n.carried.data());
+                        write_fragments(at, c, packed_rgba8<Floats>(c, draw.settings.output), f.place, mine(f));
                     }
                 });
             });
+        shaded += static_cast<unsigned>(end - group.first);
     }
     return shaded;
 }

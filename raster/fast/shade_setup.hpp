@@ -148,23 +148,28 @@ struct LaneOrder {
     Bools back;      // is seen
 };
 
+// The numbers of the vertices, in the order of the mesh.
+RELEVO_LANE std::array<Ints, 3> vertices_of(const ModelState& model, const LaneIds& ids) {
+    const Ints local = ids.primitive - Ints(static_cast<std::int32_t>(model.first_primitive));
+    const Ints first_index = local + local + local;
+    const auto corner = [&](int c) RELEVO_INSIDE { return gather(model.indices.data() + c, first_index); };
+    return {corner(0), corner(1), corner(2)};
+}
+
 // What the corners of the triangles `ids` of the model carry, and their faces' light.
 template <class Program>
 RELEVO_LANE void load_carried(const DrawState& draw, const ModelState& model, const LaneIds& ids,
-                              const LaneOrder& order, LaneSetup<Program>& s) {
+                              const std::array<Ints, 3>& corner, const LaneOrder& order,
+                              LaneSetup<Program>& s) {
     constexpr std::size_t size = Program::size;
     if constexpr (size == 0 && !Program::needs_face) return;
-    Ints corner[3];  // the vertices' numbers
-    const Ints local = ids.primitive - Ints(static_cast<std::int32_t>(model.first_primitive));
-    const Ints first_index = local + local + local;
-    for (int c = 0; c < 3; ++c) corner[c] = gather(model.indices.data() + c, first_index);
 
     alignas(64) std::uint32_t offset[3][lanes];
     if constexpr (size > 0) {
-        const auto [c0, c1, c2] = in_order(order.one, order.two, corner[0], corner[1], corner[2]);
-        const Ints ordered[3] = {c0, c1, c2};
+        const std::array<Ints, 3> ordered =
+            in_order(order.one, order.two, corner[0], corner[1], corner[2]);
         for (int c = 0; c < 3; ++c) {
-            store(size > 4 ? shift_left<2>(ordered[c]) : shift_left<1>(ordered[c]), offset[c]);
+            store(size > 4 ? shift_left<2>(ordered[std::size_t(c)]) : shift_left<1>(ordered[std::size_t(c)]), offset[c]);
             load_carried<Program>(model.carried, offset[c], s.carried[c]);
         }
         if (ids.pieces) {
@@ -181,7 +186,7 @@ RELEVO_LANE void load_carried(const DrawState& draw, const ModelState& model, co
             const Bools turned = order.back && !is_negative(ids.id);  // a piece already carries its side's
             if (model.setup.both_sides && any(turned)) {
                 for (int c = 0; c < 3; ++c) {
-                    store(shift_left<2>(ordered[c]), offset[c]);
+                    store(shift_left<2>(ordered[std::size_t(c)]), offset[c]);
                     const std::array<Floats, size> other = carried_to_back<Program>(model, offset[c]);
                     for (std::size_t j = 0; j < size; ++j)
                         s.carried[c][j] = select(turned, other[j], s.carried[c][j]);
@@ -190,7 +195,7 @@ RELEVO_LANE void load_carried(const DrawState& draw, const ModelState& model, co
         }
     }
     if constexpr (Program::needs_face) {
-        for (int c = 0; c < 3; ++c) store(shift_left<2>(corner[c]), offset[c]);
+        for (int c = 0; c < 3; ++c) store(shift_left<2>(corner[std::size_t(c)]), offset[c]);
         s.face = reflect_face<Floats>(
             model.setup.surface,
             {eye_position(model, offset[0]), eye_position(model, offset[1]), eye_position(model, offset[2])},
@@ -204,13 +209,12 @@ RELEVO_LANE LaneSetup<Program> set_up(const DrawState& draw, const ModelState& m
     LaneSetup<Program> s;
     if constexpr (Program::size == 0 && !Program::needs_face) return s;
     LaneOrder order{first_lanes(0), first_lanes(0), first_lanes(0)};
+    const std::array<Ints, 3> corner = vertices_of(model, ids);
     if (Program::size > 0 || model.setup.surface.two_sided) {
-        const Ints local = ids.primitive - Ints(static_cast<std::int32_t>(model.first_primitive));
-        const Ints first_index = local + local + local;
         LaneCorner window[3];
         for (int c = 0; c < 3; ++c) {
             alignas(64) std::uint32_t offset[lanes];
-            store(shift_left<1>(gather(model.indices.data() + c, first_index)), offset);
+            store(shift_left<1>(corner[std::size_t(c)]), offset);
             window[c] = corner_of(load_quads(model.window, offset));
         }
         if (ids.pieces) {
@@ -229,7 +233,7 @@ RELEVO_LANE LaneSetup<Program> set_up(const DrawState& draw, const ModelState& m
         s.dx1 = to_wide(t.dx1), s.dy1 = to_wide(t.dy1), s.dx2 = to_wide(t.dx2), s.dy2 = to_wide(t.dy2);
         s.area = t.area;
     }
-    load_carried(draw, model, ids, order, s);
+    load_carried(draw, model, ids, corner, order, s);
     return s;
 }
 

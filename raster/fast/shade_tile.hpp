@@ -98,10 +98,6 @@ template <template <bool> class Program>
     waiting.count = 0;
 }
 
-// Gouraud's colours are there once they are interpolated: nothing to wait for.
-template <class P>
-inline constexpr bool is_lit_at_once = std::is_same_v<P, Gouraud<false>>;
-
 // The lanes of `which` of a block are known up to light.
 template <template <bool> class Program, class P>
 RELEVO_LANE void light(const TileAt& at, WaitingBlocks& waiting, const ModelState& model,

@@ -16,6 +16,10 @@ RELEVO_LANE void with_texture(const ModelState& model, Use&& use) {
     model.textured ? use(Program<true>{}) : use(Program<false>{});
 }
 
+// Gouraud's colours are there once they are interpolated: nothing to wait for.
+template <class P>
+inline constexpr bool is_lit_at_once = std::is_same_v<P, Gouraud<false>>;
+
 struct TileAt {
     const DrawState& draw;
     TileScratch& scratch;

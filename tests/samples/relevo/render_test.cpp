@@ -140,7 +140,7 @@ TEST(Render, StatisticsSayWhichPathAndWhy) {
         return;
     }
     const std::string by_sse4 = text("--threads 3 --set instruction_set=sse4");
-    EXPECT_NE(by_sse4.find("\n        path  fast: SSE4, 3 threads, tiles of 64 pixels\n"), std::string::npos)
+    EXPECT_NE(by_sse4.find("\n        path  fast: SSE4, 3 threads, tiles of 128 pixels\n"), std::string::npos)
         << by_sse4;
     EXPECT_NE(text("--threads 1 --set instruction_set=sse4").find(" fast: SSE4, 1 thread, tiles"),
               std::string::npos);
@@ -149,8 +149,8 @@ TEST(Render, StatisticsSayWhichPathAndWhy) {
     const std::size_t begin = counts.find("\"shaded\": ") + 10;
     const std::string shaded = counts.substr(begin, counts.find('}', begin) - begin);
     EXPECT_EQ(json("--threads 3 --set instruction_set=sse4 --set path=fast"),
-              "\"path\": {\"name\": \"fast\", \"reason\": \"fast: SSE4, 3 threads, tiles of 64 pixels\", "
-              "\"instruction_set\": \"SSE4\", \"threads\": 3, \"tile\": 64, \"shaded\": " +
+              "\"path\": {\"name\": \"fast\", \"reason\": \"fast: SSE4, 3 threads, tiles of 128 pixels\", "
+              "\"instruction_set\": \"SSE4\", \"threads\": 3, \"tile\": 128, \"shaded\": " +
                   shaded + "}");
     EXPECT_NE(by_sse4.find(shaded + "  pixels shaded by the fast path, each of them once\n"),
               std::string::npos)
