@@ -91,20 +91,33 @@ RELEVO_LANE void bin_group(const DrawState& draw, Chunk& chunk, const ModelState
     const std::uint32_t coded_bits = bits(coded);
     std::uint32_t left_to_do = bits(drawn) | coded_bits;
     if (left_to_do == 0) return;
-    alignas(64) std::int32_t tile_x0[lanes], tile_y0[lanes], tile_x1[lanes], tile_y1[lanes];
-    store(x0 >> tile_bits, tile_x0);
-    store(y0 >> tile_bits, tile_y0);
-    store(x1 >> tile_bits, tile_x1);
-    store(y1 >> tile_bits, tile_y1);
+    const Ints tile_x0 = x0 >> tile_bits, tile_y0 = y0 >> tile_bits, tile_x1 = x1 >> tile_bits,
+               tile_y1 = y1 >> tile_bits;
+    alignas(64) std::int32_t from_x[lanes], from_y[lanes], to_x[lanes], to_y[lanes];
+    store(tile_x0, from_x), store(tile_y0, from_y);
+    const int first_lane = std::countr_zero(left_to_do);
+    // Neighbours of a mesh mostly lie in the same tile.
+    const Ints x(from_x[first_lane]), y(from_y[first_lane]);
+    if (coded_bits == 0 && !any(drawn && !(tile_x0 == x && tile_x1 == x && tile_y0 == y && tile_y1 == y))) {
+        TileList& list = chunk.lists[from_y[first_lane] * draw.tiles_across + from_x[first_lane]];
+        if (list.room >= lanes) {
+            const Ints ids = Ints(static_cast<std::int32_t>(primitive)) + lane_numbers();
+            store(compress(ids, drawn), chunk.words + list.end);
+            const std::uint32_t n = static_cast<std::uint32_t>(std::popcount(left_to_do));
+            list.end += n, list.room -= n, list.count += n;
+            return;
+        }
+    }
+    store(tile_x1, to_x), store(tile_y1, to_y);
     for (; left_to_do != 0; left_to_do &= left_to_do - 1) {
         const int k = std::countr_zero(left_to_do);
         const std::uint32_t id = primitive + static_cast<std::uint32_t>(k);
         if (coded_bits >> k & 1)
             clip_into_bins(draw, chunk, model, id);
-        else if (tile_x0[k] == tile_x1[k] && tile_y0[k] == tile_y1[k])
-            append(chunk, tile_y0[k] * draw.tiles_across + tile_x0[k], id);
+        else if (from_x[k] == to_x[k] && from_y[k] == to_y[k])
+            append(chunk, from_y[k] * draw.tiles_across + from_x[k], id);
         else
-            append(draw, chunk, id, tile_x0[k], tile_y0[k], tile_x1[k], tile_y1[k]);
+            append(draw, chunk, id, from_x[k], from_y[k], to_x[k], to_y[k]);
     }
 }
 

@@ -13,7 +13,7 @@
 namespace relevo::raster::fast {
 
 // A block of ids and the link to the next one, in words. Few triangles touch most tiles: the first is small.
-inline constexpr std::uint32_t first_block = 16, later_block = 64;
+inline constexpr std::uint32_t first_block = 16, later_block = 128;
 
 struct TileList {
     std::uint32_t first = 0, end = 0;   // words: the first block; where the next id, or the link, goes
