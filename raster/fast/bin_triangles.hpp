@@ -1,7 +1,6 @@
 // Stage 2 of the fast path: N triangles at a time are culled and listed in the tiles that their boxes touch.
 //
-//   indices  i0 i1 i2 | i0 i1 i2 | ...   -> corners of `batch` triangles, copied side by side:
-//   staged   [corner 0] x y z rw | x y z rw | ...     [corner 1] ...     [corner 2] ...
+//   indices  i0 i1 i2 | i0 i1 i2 | ...   -> the corners in the window, a triangle a lane
 //   lanes    area, facing, box (cut to the picture)   -> ids in the tiles' lists, in the order of the
 //   triangles
 //
@@ -11,14 +10,8 @@
 #pragma once
 #include "raster/fast/bins.hpp"
 #include "raster/fast/corners.hpp"
-#include "raster/fast/shade_setup.hpp"
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
-
-inline constexpr int bin_batch = 64;
-struct StagedCorners {
-    alignas(64) SnappedCorner corner[3][bin_batch + 16];
-};
 
 // Whether the only centre in the box (pixel x, y) is covered, for extents below max_small_extent.
 RELEVO_LANE Bools covers_centre(const LaneCorner& a, const LaneCorner& b, const LaneCorner& c, Bools negative,
@@ -33,12 +26,11 @@ RELEVO_LANE Bools covers_centre(const LaneCorner& a, const LaneCorner& b, const 
     return inside(p, q) & inside(q, r) & inside(r, p);
 }
 
-// The corners of N triangles; index: 3 N vertices' numbers.
-RELEVO_LANE GroupCorners load_corners(const SnappedCorner* window, const std::uint32_t* index) {
+// The corners of N triangles in a row; index: 3 N numbers of vertices.
+RELEVO_LANE GroupCorners mesh_corners(const SnappedCorner* window, const std::uint32_t* index) {
     const auto corners = [&](int c) RELEVO_INSIDE {
-        return corner_of(load_quads([&](int k) RELEVO_INSIDE {
-            return reinterpret_cast<const float*>(window + index[3 * k + c]);
-        }));
+        return corner_of(load_quads(
+            [&](int k) RELEVO_INSIDE { return reinterpret_cast<const float*>(window + index[3 * k + c]); }));
     };
     return {corners(0), corners(1), corners(2), nullptr, {}};
 }
@@ -134,7 +126,7 @@ RELEVO_LANE void bin_triangles(const DrawState& draw, Chunk& chunk) {
                 for (int k = 0; k < 3 * lanes; ++k) some[k] = index[std::min(k, 3 * n - 1)];
                 index = some;
             }
-            bin_group(draw, chunk, model, load_corners(model.window, index), primitive, n, tile_bits);
+            bin_group(draw, chunk, model, mesh_corners(model.window, index), primitive, n, tile_bits);
         }
         if (last > first) chunk.counts.triangles += last - first;
     }

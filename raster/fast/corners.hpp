@@ -2,6 +2,7 @@
 #pragma once
 #include "raster/fast/draw_state.hpp"
 #include "raster/fast/lanes.hpp"
+#include "raster/fast/load_quads.hpp"
 #include "raster/interpolate.hpp"
 #include "raster/triangle_edge.hpp"
 
@@ -16,6 +17,7 @@ struct GroupCorners {
     Ints corner[3];                     // then: the numbers of the vertices
 };
 
+RELEVO_LANE LaneCorner corner_of(const Quad& q) { return {float_bits(q.a), float_bits(q.b), q.c, q.d}; }
 // N corners in a row: x y z rw | x y z rw | ...
 RELEVO_LANE LaneCorner load_corners(const SnappedCorner* corners) {
     hn::Vec<TagF> x, y, z, rw;

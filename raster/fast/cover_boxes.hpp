@@ -9,7 +9,7 @@
 // No branch asks whether a step covers anything: guessed wrong, it costs more than the work of an empty one.
 #pragma once
 #include "raster/fast/cover_rows.hpp"
-#include "raster/fast/fragments.hpp"
+#include "raster/fast/fragment_groups.hpp"
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
@@ -26,10 +26,11 @@ struct BoxWalk {
 // Appends the fragments of all boxes; e1 and e2 are less their bias. Returns their end.
 RELEVO_LANE int walk_boxes(const Fragments& to, const BoxWalk& walk, int stride, int most_columns,
                            int most_rows) {
-    Ints row0 = walk.area - walk.e1 - walk.e2 - walk.bias0, row1 = walk.e1 - walk.bias1, row2 = walk.e2 - walk.bias2;
+    Ints row0 = walk.area - walk.e1 - walk.e2 - walk.bias0, row1 = walk.e1 - walk.bias1,
+         row2 = walk.e2 - walk.bias2;
     const Ints step0 = Ints(0) - walk.step1 - walk.step2, down0 = Ints(0) - walk.down1 - walk.down2;
     Ints row_place = walk.place + shift_left<16>(lane_numbers());
-    int end = to.count;
+    int end = to.end;
     for (int y = 0; y < most_rows; ++y) {
         const Bools in_rows = Ints(y) < walk.rows;
         Ints e0 = row0, e1 = row1, e2 = row2;
@@ -50,12 +51,11 @@ RELEVO_LANE int walk_boxes(const Fragments& to, const BoxWalk& walk, int stride,
 
 // `keep`: fragments stay for shading.
 RELEVO_LANE void cover_boxes(const TileMemory& tile, Fragments& fragments, const BoxWalk& walk,
-                             const GroupCorners& corners, const OrderedTriangles& triangle, const InterpolatorOf<Floats>& plane,
-                             const Nearness& nearness, std::uint32_t first_number, int most_columns,
-                             int most_rows, bool keep) {
+                             const GroupCorners& corners, const OrderedTriangles& triangle,
+                             const InterpolatorOf<Floats>& plane, const Nearness& nearness,
+                             std::uint32_t first_number, int most_columns, int most_rows, bool keep) {
     static_assert((most_walked + 1) * lanes <= fragment_slack);
-    const int first = fragments.count,
-              end = walk_boxes(fragments, walk, tile.stride, most_columns, most_rows);
+    const int first = fragments.end, end = walk_boxes(fragments, walk, tile.stride, most_columns, most_rows);
     alignas(64) float near[(most_walked + 1) * lanes];
     for (int k = first; k < end; k += lanes) {
         const Picked of_triangle(shift_right<16>(load(fragments.place + k)) & Ints(lanes - 1));
@@ -85,7 +85,7 @@ RELEVO_LANE void cover_boxes(const TileMemory& tile, Fragments& fragments, const
             stored = near[k], seen = number;
     }
     if (keep && end > first) {
-        FragmentGroup& group = fragments.groups[fragments.group_count++];
+        FragmentGroup& group = groups_of(fragments)[fragments.group_count++];
         group.first_number = first_number, group.first = first, group.last = end;
         group.one = bits(triangle.one), group.two = bits(triangle.two);
         group.negative = bits(triangle.negative);
@@ -94,7 +94,7 @@ RELEVO_LANE void cover_boxes(const TileMemory& tile, Fragments& fragments, const
         store(walk.area, group.area);
         store(triangle.c0.rw, group.rw[0]), store(triangle.c1.rw, group.rw[1]);
         store(triangle.c2.rw, group.rw[2]);
-        fragments.count = (end + lanes - 1) / lanes * lanes;
+        fragments.end = whole_registers(end);
         fragments.kept += end - first;
     }
 }

@@ -1,7 +1,8 @@
 // Stage 3 of the fast path: coverage and depth of a tile's triangles. What is left is a visibility buffer:
 //
 //   nearness   of each pixel (greater is nearer)          rows of `stride`, a little longer than the tile
-//   visible    of each pixel: its triangle, by the place in the tile's list of ids
+//   visible    of each pixel: its triangle, by the place in the tile's list of ids (and kept_bit:
+//   fragments.hpp)
 //
 // Set-up is N triangles at a time, a lane each; then small ones together (cover_boxes.hpp) and others alone
 // (cover_rows.hpp), all exactly as the textbook path. Triangles are drawn in their order, so that strict
@@ -16,13 +17,12 @@ namespace relevo::raster::fast::HWY_NAMESPACE {
 
 RELEVO_LANE Ints bias_of(Ints dx, Ints dy) { return select(is_top_left(dx, dy), Ints(0), Ints(1)); }
 
-// N triangles of the tile, corners staged side by side.
+// N triangles of the tile.
 RELEVO_LANE void cover_group(const DrawState& draw, TileScratch& scratch, const TileBox& box,
                              const GroupCorners& corners, std::uint32_t first_number, int count_in_group) {
     const TileMemory& tile = scratch.tile;
     const Nearness nearness = nearness_of(draw);
-    const auto triangle =
-        canonical_order(corners.a, corners.b, corners.c);
+    const auto triangle = canonical_order(corners.a, corners.b, corners.c);
     const LaneCorner &c0 = triangle.c0, &c1 = triangle.c1, &c2 = triangle.c2;
     const Ints dx1 = triangle.dx1, dy1 = triangle.dy1, dx2 = triangle.dx2, dy2 = triangle.dy2;
     const auto plane = make_interpolator(triangle);
@@ -62,11 +62,15 @@ RELEVO_LANE void cover_group(const DrawState& draw, TileScratch& scratch, const 
                            columns,
                            rows};
         Fragments& fragments = scratch.fragments;
-        const bool keep = tile.visible != nullptr && fragments.count < fragments.room &&
-                          fragments.group_count < fragments.group_room;
+        if (is_full(fragments) && !fragments.stays_full) {
+            drop_hidden(tile, fragments);
+            fragments.stays_full =
+                2 * fragments.end > fragments.room || 2 * fragments.group_count > group_room(fragments);
+        }
+        const bool keep = tile.visible != nullptr && !is_full(fragments);
         scratch.in_blocks |= !keep;
-        return cover_boxes(tile, fragments, walk, corners, triangle, plane, nearness, first_number, most_columns, most_rows,
-                           keep);
+        return cover_boxes(tile, fragments, walk, corners, triangle, plane, nearness, first_number,
+                           most_columns, most_rows, keep);
     }
     scratch.in_blocks = true;
 
@@ -94,8 +98,8 @@ RELEVO_LANE int cover_tile(const DrawState& draw, const Chunk* chunks, int chunk
     list.read(1);
     if (list.known() == 0) return 0;
 
-    scratch.fragments.count = scratch.fragments.kept = scratch.fragments.group_count = 0;
-    scratch.in_blocks = false;
+    scratch.fragments.end = scratch.fragments.kept = scratch.fragments.group_count = 0;
+    scratch.in_blocks = scratch.fragments.stays_full = false;
     const Floats cleared = cleared_nearness(draw);
     const Ints none(static_cast<std::int32_t>(nothing));
     const int rows = (box.height + block_rows - 1) / block_rows * block_rows;
@@ -105,8 +109,8 @@ RELEVO_LANE int cover_tile(const DrawState& draw, const Chunk* chunks, int chunk
     }
     for (int first = 0; list.read(first + 2 * ids_ahead + lanes), first < list.known(); first += lanes) {
         const int known = list.known() - first, n = known < lanes ? known : lanes;
-        cover_group(draw, scratch, box,
-                    load_group(draw, scratch.ids + first, n, known), static_cast<std::uint32_t>(first), n);
+        cover_group(draw, scratch, box, load_group(draw, scratch.ids + first, n, known),
+                    static_cast<std::uint32_t>(first), n);
     }
     return list.known();
 }

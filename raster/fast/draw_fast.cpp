@@ -68,8 +68,7 @@ struct WorkerMemory {
     Buffer<Scalar> nearness;
     Buffer<std::uint32_t> visible, color, ids, fragment_place;
     Buffer<std::int32_t> fragment_e1, fragment_e2;
-    Buffer<FragmentGroup> fragment_groups;
-    Buffer<std::byte> kept;
+    Buffer<std::byte> kept, fragment_groups;
     TileScratch scratch;
     std::uint64_t shaded_pixels = 0;
 };
@@ -398,18 +397,18 @@ class FastDraw {
         const std::size_t pixels = std::size_t(stride) * std::size_t(draw_.tile) + 16;
         if (memory_.workers.size() < std::size_t(workers())) memory_.workers.resize(std::size_t(workers()));
         const std::size_t fragments = 4 * pixels, with_slack = fragments + fragment_slack;
+        const std::size_t group_bytes = 20 * fragments;  // of 16 lanes: for one group of 29 fragments
         for (WorkerMemory& worker : memory_.workers) {
-            worker.scratch = {{stride, worker.nearness.room_for(pixels),
-                               shows_one_color(draw_) ? nullptr : worker.visible.room_for(pixels),
-                               worker.color.room_for(pixels)},
-                              nullptr,
-                              worker.kept.room_for(kept_bytes),
-                              {},
-                              {worker.fragment_place.room_for(with_slack),
-                               worker.fragment_e1.room_for(with_slack),
-                               worker.fragment_e2.room_for(with_slack),
-                               worker.fragment_groups.room_for(fragments / 32), 0, int(fragments), 0, 0,
-                               int(fragments / 32)}};
+            worker.scratch = {.tile = {stride, worker.nearness.room_for(pixels),
+                                       shows_one_color(draw_) ? nullptr : worker.visible.room_for(pixels),
+                                       worker.color.room_for(pixels)},
+                              .kept = worker.kept.room_for(kept_bytes),
+                              .fragments = {.place = worker.fragment_place.room_for(with_slack),
+                                            .e1 = worker.fragment_e1.room_for(with_slack),
+                                            .e2 = worker.fragment_e2.room_for(with_slack),
+                                            .room = static_cast<int>(fragments),
+                                            .groups = worker.fragment_groups.room_for(group_bytes),
+                                            .group_bytes = group_bytes}};
             worker.shaded_pixels = 0;
         }
         const auto listed_in = [&](int tile) {

@@ -71,7 +71,7 @@ struct DrawState {
     std::span<const Pieces> pieces;  // of each chunk
     Settings settings;
     pipeline::Viewport viewport{};
-    int tile = 64;  // pixels a side: 32, 64 or 128
+    int tile = 128;  // pixels a side: 32, 64 or 128
     int tiles_across = 0, tiles_down = 0;
     pipeline::LinearRgb background;
     Rgba8 background8;
@@ -118,7 +118,7 @@ inline bool shows_one_color(const DrawState& draw) {
 //   nearness  of each pixel: its depth, with the sign turned when forward depth is drawn: greater is nearer
 //   visible   of each pixel: the triangle that is seen, by its place in the tile's list; null where all
 //             triangles have one colour, and depth alone tells what is covered
-//   color     of each pixel of the few rows that are being shaded
+//   color     of each pixel, or of the few rows that are being shaded (tile_at.hpp)
 struct TileMemory {
     int stride = 0;
     Scalar* nearness = nullptr;

@@ -6,7 +6,6 @@
 
 #include "raster/fast/bins.hpp"
 #include "raster/fast/corners.hpp"
-#include "raster/fast/shade_setup.hpp"
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
@@ -72,7 +71,8 @@ class TileIds {
 inline constexpr int ids_ahead = 32;
 
 // The corners of the first n <= N triangles; they are of any models, whole or pieces. `known`: ids.
-// Meanwhile it asks for what later calls will want: the corners stand all over memory, and their numbers, too.
+// Meanwhile it asks for what later calls will want: the corners stand all over memory, and their numbers,
+// too.
 RELEVO_LANE GroupCorners load_group(const DrawState& draw, const std::uint32_t* ids, int n, int known) {
     const ModelState* model = &draw.models[0];
     if (draw.models.size() > 1 && !(ids[0] & piece_bit)) model = &draw.models[model_of(draw, ids[0])];
@@ -102,7 +102,8 @@ RELEVO_LANE GroupCorners load_group(const DrawState& draw, const std::uint32_t* 
                 return reinterpret_cast<const float*>(model->window + number[c][lane]);
             }));
         };
-        return {corners(0), corners(1), corners(2), model, {load(number[0]), load(number[1]), load(number[2])}};
+        return {
+            corners(0), corners(1), corners(2), model, {load(number[0]), load(number[1]), load(number[2])}};
     }
     alignas(64) SnappedCorner staged[3][lanes]{};
     for (k = 0; k < n; ++k) {

@@ -5,6 +5,7 @@
 //   lanes   each fragment takes what it needs from the lane of its triangle; then weights, light, texture and
 //           output run once for N of them
 #pragma once
+#include "raster/fast/fragment_groups.hpp"
 #include "raster/fast/shade_setup.hpp"
 #include "raster/fast/tile_at.hpp"
 #include "raster/fast/twice.hpp"
@@ -90,41 +91,21 @@ RELEVO_LANE void prefetch_carried(const FragmentGroup& group) {
     if (group.model == nullptr || group.model->carried == nullptr) return;
     for (int k = 0; k < lanes; ++k)
         for (const int corner : {0, 2})  // two of three are all, in strips and grids
-            hwy::Prefetch(group.model->carried +
-                          group.corner[corner][k] * std::size_t(group.model->stride));
+            hwy::Prefetch(group.model->carried + group.corner[corner][k] * std::size_t(group.model->stride));
 }
 
-// The fragments of the group that are seen move to its front. Returns their end.
-RELEVO_LANE int keep_seen(const TileMemory& tile, const Fragments& fragments, const FragmentGroup& group) {
-    const Ints first_number(static_cast<std::int32_t>(group.first_number | kept_bit));
-    int end = group.first;
-    for (int k = group.first; k < group.last; k += lanes) {
-        const Ints place = load(fragments.place + k), e1 = load(fragments.e1 + k),
-                   e2 = load(fragments.e2 + k);
-        const Bools in_group = first_lanes(group.last - k < lanes ? group.last - k : lanes);
-        const Bools seen = in_group && gather(tile.visible, place & Ints(0xffff)) ==
-                                           first_number + shift_right<16>(place);
-        store(compress(place, seen), fragments.place + end);  // end <= k: what follows has been read
-        store(compress(e1, seen), fragments.e1 + end);
-        store(compress(e2, seen), fragments.e2 + end);
-        end += count(seen);
-    }
-    return end;
-}
-
-// Shades what is seen of all kept fragments. Returns their number. covered: pixels.
+// Shades what is seen of all kept fragments. Returns their number. covered: pixels that
+// show a kept fragment.
 template <template <bool> class Program>
 [[gnu::noinline, gnu::flatten]] std::uint64_t shade_fragments(const TileAt& at, int covered) {
-    const Fragments& fragments = at.scratch.fragments;
+    Fragments& fragments = at.scratch.fragments;
     const DrawState& draw = at.draw;
-    std::uint64_t shaded = 0;
-    // Without overlap, known by counting, every fragment is seen.
-    const bool all_seen = !at.scratch.in_blocks && covered == fragments.kept;
+    // Every fragment is seen when there are as many as pixels that show one: each pixel shows one alone.
+    if (covered != fragments.kept) drop_hidden(at.scratch.tile, fragments);
     for (int g = 0; g < fragments.group_count; ++g) {
-        const FragmentGroup& group = fragments.groups[g];
-        if (g + 2 < fragments.group_count) prefetch_carried(fragments.groups[g + 2]);
-        const int end = all_seen ? group.last : keep_seen(at.scratch.tile, fragments, group);
-        if (end == group.first) continue;
+        const FragmentGroup& group = groups_of(fragments)[g];
+        if (g + 2 < fragments.group_count) prefetch_carried(groups_of(fragments)[g + 2]);
+        const int end = group.last;
         const int left = at.listed - static_cast<int>(group.first_number);
         const std::uint32_t triangles = bits(first_lanes(left < lanes ? left : lanes));
         for_each_model(
@@ -134,7 +115,8 @@ template <template <bool> class Program>
                 with_texture<Program>(model, [&]<class P>(P) RELEVO_INSIDE {
                     LaneSetup<P> s;
                     const Bools negative = from_bits(group.negative);
-                    std::array<Ints, 3> corner{load(group.corner[0]), load(group.corner[1]), load(group.corner[2])};
+                    std::array<Ints, 3> corner{load(group.corner[0]), load(group.corner[1]),
+                                               load(group.corner[2])};
                     if (group.model == nullptr) corner = vertices_of(model, ids);
                     load_carried(draw, model, ids, corner,
                                  {from_bits(group.one), from_bits(group.two),
@@ -151,9 +133,11 @@ template <template <bool> class Program>
                         for (; k + lanes < end; k += 2 * lanes) {
                             const FragmentsAt f = fragments_at(fragments, k, end),
                                               next = fragments_at(fragments, k + lanes, end);
-                            const PixelNumbers<P> n = pixel_numbers<P>(group, s, f), m = pixel_numbers<P>(group, s, next);
+                            const PixelNumbers<P> n = pixel_numbers<P>(group, s, f),
+                                                  m = pixel_numbers<P>(group, s, next);
                             std::array<Floats2, P::size> carried;
-                            for (std::size_t j = 0; j < P::size; ++j) carried[j] = {n.carried[j], m.carried[j]};
+                            for (std::size_t j = 0; j < P::size; ++j)
+                                carried[j] = {n.carried[j], m.carried[j]};
                             const RgbOf<Floats2> c = P::template pixel<Floats2>(surface, {}, carried.data());
                             const Twice<Words> packed = packed_rgba8<Floats2>(c, draw.settings.output);
                             write_fragments(at, {c.r.a, c.g.a, c.b.a}, packed.a, f.place, mine(f));
@@ -164,13 +148,13 @@ template <template <bool> class Program>
                         const FragmentsAt f = fragments_at(fragments, k, end);
                         const PixelNumbers<P> n = pixel_numbers<P>(group, s, f);
                         const RgbOf<Floats> c = P::template pixel<Floats>(surface, n.face, n.carried.data());
-                        write_fragments(at, c, packed_rgba8<Floats>(c, draw.settings.output), f.place, mine(f));
+                        write_fragments(at, c, packed_rgba8<Floats>(c, draw.settings.output), f.place,
+                                        mine(f));
                     }
                 });
             });
-        shaded += static_cast<unsigned>(end - group.first);
     }
-    return shaded;
+    return static_cast<std::uint64_t>(fragments.kept);
 }
 
 }  // namespace relevo::raster::fast::HWY_NAMESPACE

@@ -3,12 +3,13 @@
 //
 //   ids -> corners in the window, canonical order -> edge values, 1 / w, and planes of what the corners carry
 //
-// The lanes are used at once where every pixel shows a triangle of its own, or kept for the pixels to come
-// (kept_setups.hpp).
+// Fragments take from the lanes what they need at once (shade_fragments.hpp), blocks of pixels keep them for
+// those to come (kept_setups.hpp).
 #pragma once
 #include "raster/fast/corners.hpp"
 #include "raster/fast/draw_state.hpp"
 #include "raster/fast/lanes.hpp"
+#include "raster/fast/load_quads.hpp"
 #include "raster/interpolate.hpp"
 #include "raster/output.hpp"
 #include "raster/shading.hpp"
@@ -18,49 +19,6 @@ namespace relevo::raster::fast::HWY_NAMESPACE {
 
 using pipeline::RgbOf;
 using pipeline::Vec3Of;
-
-// ------------------------------------------------------------------------------------------------ loading
-// Four numbers of each lane, from a place of its own: 16 bytes at a time, then 4 x 4 transposes.
-struct Quad {
-    Floats a, b, c, d;
-};
-// place(k): where the four numbers of lane k stand.
-template <class Place>
-RELEVO_LANE Quad load_quads(Place&& place) {
-    const hn::Full128<float> four;
-    const hn::Half<TagF> half;
-    const auto rows = [&](auto j) RELEVO_INSIDE {  // of the lanes j, j + 4, j + 8, j + 12
-        if constexpr (lanes == 4) {
-            return hn::LoadU(four, place(j));
-        } else if constexpr (lanes == 8) {
-            return hn::Combine(TagF(), hn::LoadU(four, place(j + 4)), hn::LoadU(four, place(j)));
-        } else {
-            const auto low = hn::Combine(half, hn::LoadU(four, place(j + 4)), hn::LoadU(four, place(j)));
-            const auto high =
-                hn::Combine(half, hn::LoadU(four, place(j + 12)), hn::LoadU(four, place(j + 8)));
-            return hn::Combine(TagF(), high, low);
-        }
-    };
-    const auto r0 = rows(0), r1 = rows(1), r2 = rows(2), r3 = rows(3);
-    const auto pairs = [](auto x) RELEVO_INSIDE { return hn::BitCast(TagU64(), x); };
-    const auto low01 = pairs(hn::InterleaveLower(TagF(), r0, r1)),
-               low23 = pairs(hn::InterleaveLower(TagF(), r2, r3)),
-               high01 = pairs(hn::InterleaveUpper(TagF(), r0, r1)),
-               high23 = pairs(hn::InterleaveUpper(TagF(), r2, r3));
-    const auto floats = [](auto x) RELEVO_INSIDE { return Floats(hn::BitCast(TagF(), x)); };
-    return {floats(hn::InterleaveLower(TagU64(), low01, low23)),
-            floats(hn::InterleaveUpper(TagU64(), low01, low23)),
-            floats(hn::InterleaveLower(TagU64(), high01, high23)),
-            floats(hn::InterleaveUpper(TagU64(), high01, high23))};
-}
-
-// base + 8 offset bytes: where the four numbers of a lane stand.
-RELEVO_LANE Quad load_quads(const void* base, const std::uint32_t (&offset)[lanes]) {
-    return load_quads([&](int k) RELEVO_INSIDE {
-        return reinterpret_cast<const float*>(static_cast<const char*>(base) + std::size_t{offset[k]} * 8);
-    });
-}
-RELEVO_LANE LaneCorner corner_of(const Quad& q) { return {float_bits(q.a), float_bits(q.b), q.c, q.d}; }
 
 // ------------------------------------------------------------------------------------------------ lanes
 template <class Program, class Real>
@@ -166,10 +124,10 @@ RELEVO_LANE void load_carried(const DrawState& draw, const ModelState& model, co
 
     alignas(64) std::uint32_t offset[3][lanes];
     if constexpr (size > 0) {
-        const std::array<Ints, 3> ordered =
-            in_order(order.one, order.two, corner[0], corner[1], corner[2]);
+        const std::array<Ints, 3> ordered = in_order(order.one, order.two, corner[0], corner[1], corner[2]);
         for (int c = 0; c < 3; ++c) {
-            store(size > 4 ? shift_left<2>(ordered[std::size_t(c)]) : shift_left<1>(ordered[std::size_t(c)]), offset[c]);
+            store(size > 4 ? shift_left<2>(ordered[std::size_t(c)]) : shift_left<1>(ordered[std::size_t(c)]),
+                  offset[c]);
             load_carried<Program>(model.carried, offset[c], s.carried[c]);
         }
         if (ids.pieces) {

@@ -3,12 +3,12 @@
 //   visible   n n n n | n n n n | ...      blocks of N pixels, 4 wide: few triangles meet in a block
 //             n n n n | n n n n |
 //
-// A block is one of three kinds, by the different triangles in it:
-//   none   background
+// Small triangles are shaded by their fragments (shade_fragments.hpp), the others by blocks. A block is one
+// of three kinds, by the different triangles in it:
+//   none   background, or shaded already
 //   few    up to `most_seen`: each hands its kept numbers (kept_setups.hpp) to its own lanes; then edge
-//   values,
-//          weights, light, texture and output run once for the whole block
-//   many   (tiny triangles) every lane sets up its own triangle
+//          values, weights, light, texture and output run once for the whole block
+//   many   (slivers, several models) triangle after triangle
 #pragma once
 #include "raster/fast/cover_tile.hpp"
 #include "raster/fast/kept_setups.hpp"
@@ -19,7 +19,7 @@
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
-// With more triangles in a block it is faster that every lane sets up its own.
+// With more triangles in a block it is faster to shade one after the other.
 inline constexpr int most_seen = lanes == 16 ? 8 : lanes == 8 ? 5 : 3;
 
 // A block of pixels: where it stands in the tile, and which of its lanes show a triangle.
@@ -52,8 +52,8 @@ RELEVO_LANE void write_block(const TileAt& at, Words packed, const RgbOf<Floats>
 }
 RELEVO_LANE void write_background(const TileAt& at, int row, int column) {
     const TileMemory& tile = at.scratch.tile;
-    store_block(Ints(std::bit_cast<std::int32_t>(at.draw.background8)),
-                at.color_row(row) + column, tile.stride);
+    store_block(Ints(std::bit_cast<std::int32_t>(at.draw.background8)), at.color_row(row) + column,
+                tile.stride);
     if (at.draw.linear == nullptr) return;
     for (int y = row; y < at.box.height && y < row + block_rows; ++y)
         for (int x = column; x < at.box.width && x < column + block_columns; ++x)
@@ -119,36 +119,6 @@ RELEVO_LANE void light(const TileAt& at, WaitingBlocks& waiting, const ModelStat
         }
         if (waiting.count == 2) light_blocks<Program>(at, waiting);
     }
-}
-
-// ------------------------------------------------------------------------------------------------ many
-template <template <bool> class Program>
-[[gnu::noinline, gnu::flatten]] void shade_many(const TileAt& at, WaitingBlocks& waiting,
-                                                const BlockAt& block) {
-    const int row = block.row, column = block.column;
-    const Ints id = gather(at.scratch.ids, max(block.numbers, Ints(0)));
-    for_each_model(
-        at.draw, id, block.covered,
-        [&](std::uint32_t number, std::uint32_t which, const LaneIds& ids) RELEVO_INSIDE {
-            const ModelState& model = at.draw.models[number];
-            with_texture<Program>(model, [&]<class P>(P) RELEVO_INSIDE {
-                const LaneSetup<P> s = set_up<P>(at.draw, model, ids);
-                if constexpr (P::size == 0) {
-                    const RgbOf<Floats> c = P::template pixel<Floats>(model.setup.surface, s.face, nullptr);
-                    write_block(at, packed_rgba8<Floats>(c, at.draw.settings.output), c, which, row, column);
-                } else {
-                    const auto e = edge_values(s, Ints(at.box.x0 + column) + lane_columns(),
-                                               Ints(at.box.y0 + row) + lane_rows());
-                    const InterpolatorOf<Floats> rw{
-                        {}, {}, {}, to_wide(s.rw0), to_wide(s.rw1), to_wide(s.rw2)};
-                    const auto weights = perspective_weights<Floats>(rw, e);
-                    std::array<Floats, P::size> carried;
-                    for (std::size_t k = 0; k < P::size; ++k)
-                        carried[k] = interpolate(s.plane(k), weights)[0];
-                    light<Program, P>(at, waiting, model, carried, s.face, which, row, column);
-                }
-            });
-        });
 }
 
 // ------------------------------------------------------------------------------------------------ few
@@ -380,6 +350,21 @@ RELEVO_LANE bool shade_few(const TileAt& at, KeptSetups& kept, WaitingBlocks& wa
     return true;
 }
 
+// One triangle after the other: slower, and right for any number of them, of any models.
+template <template <bool> class Program>
+[[gnu::noinline, gnu::flatten]] void shade_many(const TileAt& at, KeptSetups& kept, WaitingBlocks& waiting,
+                                                const BlockAt& block) {
+    alignas(64) std::uint32_t numbers[lanes];
+    store(block.numbers, numbers);
+    for (std::uint32_t rest = block.covered; rest != 0;) {
+        const std::uint32_t number = numbers[std::countr_zero(rest)];
+        BlockAt part = block;
+        part.covered = rest & bits(block.numbers == Ints(static_cast<std::int32_t>(number)));
+        shade_one<Program>(at, waiting, part, find_setup<Program>(at, kept, number));
+        rest &= ~part.covered;
+    }
+}
+
 // ------------------------------------------------------------------------------------------------ a tile
 template <template <bool> class Program>
 [[gnu::noinline, gnu::flatten]] std::uint64_t shade_blocks(const TileAt& at) {
@@ -424,14 +409,13 @@ template <template <bool> class Program>
             const BlockAt block{row, column, x, y, all_bits & ~bits(is_negative(numbers)), numbers};
             shaded += static_cast<unsigned>(std::popcount(block.covered));
             if (block.covered != all_bits && !has_plane) write_background(at, row, column);
-            if (!shade_few<Program>(at, kept, waiting, block)) shade_many<Program>(at, waiting, block);
+            if (!shade_few<Program>(at, kept, waiting, block)) shade_many<Program>(at, kept, waiting, block);
             last = nothing;  // its set-up may have been replaced
         }
         if (waiting.count > 0) light_blocks<Program>(at, waiting);
         for (int line = row; line < row + block_rows && line < at.box.height; ++line)
-            write_tile_row(at.draw, at.scratch, at.box, line, [&](int k) RELEVO_INSIDE {
-                return load(at.color_row(line) + k);
-            });
+            write_tile_row(at.draw, at.scratch, at.box, line,
+                           [&](int k) RELEVO_INSIDE { return load(at.color_row(line) + k); });
     }
     return shaded;
 }
@@ -445,7 +429,8 @@ RELEVO_LANE std::uint64_t shade_plane(const TileAt& at) {
     int covered = 0;
     for (int k = 0; k < rows * tile.stride; k += lanes) {
         store(background, tile.color + k);
-        covered += count(!(load(tile.visible + k) == Ints(-1)));
+        const Ints number = load(tile.visible + k);
+        covered += count(is_negative(number) && !(number == Ints(-1)));
     }
     for (int y = 0; at.draw.linear != nullptr && y < at.box.height; ++y)
         std::fill_n(linear_at(at, y, 0), at.box.width, at.draw.background);

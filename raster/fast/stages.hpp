@@ -20,7 +20,7 @@ struct TileScratch {
     TileMemory tile;
     std::uint32_t* ids = nullptr;  // the tile's list; room for first_block ids more
     std::byte* kept = nullptr;     // set-ups of triangles for shading, kept_bytes
-    Background background;         // is empty when the tile is done
+    Background background{};       // is empty when the tile is done
     Fragments fragments{};
     bool in_blocks = true;  // whether triangles are seen whose fragments are not kept
 };

@@ -394,6 +394,70 @@ TEST(Boundary, TheSameTrianglesTwice) {
         }
 }
 
+// ------------------------------------------------------------------------------------------- small triangles
+// Their fragments are kept until all is covered. Here there is no room for all of them: thirty layers, the
+// nearest first, last, or anywhere.
+TEST(Boundary, MoreFragmentsThanATileKeeps) {
+    constexpr int layers = 30, a_layer = 900;
+    for (const View view : {View::Parallel, View::Perspective})
+        for (const int order : {1, -1, 0})
+            for (const int models : {1, 7}) {
+                WindowScene scene({64, 60}, view, std::uint64_t(order + 1));
+                for (int layer = 0; layer < layers; ++layer) {
+                    if (layer % (layers / models) == 0 && layer > 0) scene.next_model();
+                    for (int i = 0; i < a_layer; ++i) {
+                        Corners t{scene.anywhere(), {}, {}};
+                        const double nearer = order == 0  ? scene.random().unit()
+                                              : order > 0 ? (layer + 1.0) / (layers + 1)
+                                                          : 1 - layer / (layers + 1.0);
+                        for (Corner& c : t) {
+                            const auto off = [&] { return std::floor(scene.random().between(0, 5) * pixel); };
+                            c = {t[0].x + off(), t[0].y + off(), Scalar(nearer), 0.5 + nearer};
+                        }
+                        scene.add(t);
+                    }
+                }
+                ASSERT_TRUE(is_same_few(scene)) << order << ", " << models << " models";
+                ASSERT_TRUE(is_same_few(scene, gouraud())) << order << ", " << models << " models";
+            }
+}
+
+// Nor for all groups of 16 that show a pixel somewhere.
+TEST(Boundary, MoreGroupsThanATileKeeps) {
+    for (const View view : {View::Parallel, View::Perspective})
+        for (const raster::Shading shading : {raster::Shading::Unlit, raster::Shading::Flat,
+                                              raster::Shading::Gouraud, raster::Shading::Phong}) {
+            WindowScene scene({130, 131}, view, 11);
+            for (int i = 0; i < 90000; ++i) {
+                Corners t{scene.anywhere(), {}, {}};
+                for (Corner& c : t) {
+                    const auto off = [&] { return double(scene.random().integer(-200, 200)); };
+                    c = {t[0].x + off(), t[0].y + off(), Scalar(scene.random().unit()), t[0].w};
+                }
+                scene.add(t);
+            }
+            Settings settings = textured_phong();
+            settings.shading = shading;
+            EXPECT_TRUE(is_same_few(scene, settings)) << int(shading);
+            EXPECT_TRUE(is_same_few(scene, settings)) << int(shading);
+        }
+}
+
+// Groups whose fragments are kept and groups that are drawn in rows, in the same planes, in all orders.
+TEST(Boundary, EqualDepthsOfSmallAndLargeTriangles) {
+    for (const View view : {View::Parallel, View::Perspective})
+        for (const int run : {16, 23, 48})
+            for (const int every : {1000, 5, 40}) {
+                WindowScene scene({130, 67}, view, std::uint64_t(run));
+                for (int i = 0; i < 900; ++i) {
+                    if (i % every == every - 1) scene.next_model();
+                    scene.add(flat(scene, i / run % 2 ? 60 : 2));
+                }
+                ASSERT_TRUE(is_same_few(scene)) << run;
+                ASSERT_TRUE(is_same_few(scene, gouraud())) << run;
+            }
+}
+
 // --------------------------------------------------------------------------------------------- odd triangles
 TEST(Boundary, SliversAndTrianglesWithoutArea) {
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
