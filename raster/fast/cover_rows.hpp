@@ -5,6 +5,8 @@
 // box. Of large triangles only, whose rows are long, pixels that the triangle does not touch are passed over:
 // in short rows a branch for that is guessed wrong too often.
 #pragma once
+#include <algorithm>
+
 #include "raster/fast/corners.hpp"
 #include "raster/fast/write_tile.hpp"
 #include "raster/interpolate.hpp"
@@ -27,16 +29,22 @@ enum class Cover {
     All,     // no edge crosses the box
 };
 
-// Rows of one triangle, a pixel a lane. (e1, e2): edge values at the first pixel.
+// A part of a triangle's box, and the edge values at its first pixel.
+struct BoxPart {
+    int x0, y0, x1, y1;  // within the tile
+    double e1, e2;
+};
+
+// Rows of one triangle, a pixel a lane.
 template <Cover cover>
-RELEVO_LANE void cover_rows(const StoredSetup& s, int k, std::uint32_t number, const Nearness& nearness,
-                            const TileMemory& tile, double first1, double first2) {
+RELEVO_LANE void cover_rows(const StoredSetup& s, int k, const BoxPart& box, std::uint32_t number,
+                            const Nearness& nearness, const TileMemory& tile) {
     const Interpolator plane{s.z0[k], s.g1[k], s.g2[k], 0, 0, 0};
     const double step1 = 256.0 * s.dy2[k], step2 = -256.0 * s.dy1[k];
     const Doubles across1(lanes * step1), across2(lanes * step2), down1(-256.0 * s.dx2[k]),
         down2(256.0 * s.dx1[k]);
     const Doubles lane = to_wide(lane_numbers());
-    Doubles row1 = Doubles(first1) + lane * Doubles(step1), row2 = Doubles(first2) + lane * Doubles(step2);
+    Doubles row1 = Doubles(box.e1) + lane * Doubles(step1), row2 = Doubles(box.e2) + lane * Doubles(step2);
 
     // int32: values less their bias, so that covered means none is negative
     const Ints bias0(s.bias0[k]), bias1(s.bias1[k]), bias2(s.bias2[k]);
@@ -48,18 +56,18 @@ RELEVO_LANE void cover_rows(const StoredSetup& s, int k, std::uint32_t number, c
         i_down2(as_int(s.dx1[k]));
     Ints i_row0{}, i_row1{}, i_row2{};
     if constexpr (cover == Cover::Int) {
-        const Ints e1 = Ints(static_cast<std::int32_t>(first1)) + lane_numbers() * Ints(i_step1),
-                   e2 = Ints(static_cast<std::int32_t>(first2)) + lane_numbers() * Ints(i_step2);
+        const Ints e1 = Ints(static_cast<std::int32_t>(box.e1)) + lane_numbers() * Ints(i_step1),
+                   e2 = Ints(static_cast<std::int32_t>(box.e2)) + lane_numbers() * Ints(i_step2);
         i_row1 = e1 - bias1, i_row2 = e2 - bias2;
         i_row0 = Ints(static_cast<std::int32_t>(s.area[k])) - e1 - e2 - bias0;
     }
 
     const Ints numbers(static_cast<std::int32_t>(number));
-    const int columns = s.x1[k] - s.x0[k] + 1, rows = s.y1[k] - s.y0[k] + 1;
+    const int columns = box.x1 - box.x0 + 1, rows = box.y1 - box.y0 + 1;
     const Bools last_columns = first_lanes((columns - 1) % lanes + 1);
-    float* near_row = tile.nearness + s.y0[k] * tile.stride + s.x0[k];
+    float* near_row = tile.nearness + box.y0 * tile.stride + box.x0;
     const bool keeps_visible = tile.visible != nullptr;
-    std::uint32_t* visible_row = keeps_visible ? tile.visible + s.y0[k] * tile.stride + s.x0[k] : nullptr;
+    std::uint32_t* visible_row = keeps_visible ? tile.visible + box.y0 * tile.stride + box.x0 : nullptr;
     for (int y = 0; y < rows; ++y) {
         Doubles e1 = row1, e2 = row2;
         Ints i0 = i_row0, i1 = i_row1, i2 = i_row2;
@@ -95,15 +103,10 @@ RELEVO_LANE void cover_rows(const StoredSetup& s, int k, std::uint32_t number, c
     }
 }
 
-// The rows of triangle k, the cheapest way that is exact.
-RELEVO_LANE void cover_triangle(const StoredSetup& s, int k, bool small, std::uint32_t number,
-                                const Nearness& nearness, const TileMemory& tile) {
-    const double px = s.left[k], py = s.above[k];
-    // + 0.0: an edge value of 0 is +0, as a whole number's is
-    const double e1 = (px * s.dy2[k] - py * s.dx2[k]) + 0.0, e2 = (s.dx1[k] * py - s.dy1[k] * px) + 0.0;
-    if (small) return cover_rows<Cover::Int>(s, k, number, nearness, tile, e1, e2);
-
-    const double width = s.x1[k] - s.x0[k], height = s.y1[k] - s.y0[k];
+// The part of a large triangle, the cheapest way that is exact.
+RELEVO_LANE void cover_part(const StoredSetup& s, int k, const BoxPart& box, std::uint32_t number,
+                            const Nearness& nearness, const TileMemory& tile) {
+    const double width = box.x1 - box.x0, height = box.y1 - box.y0;
     const double step1 = 256.0 * s.dy2[k], step2 = -256.0 * s.dy1[k], down1 = -256.0 * s.dx2[k],
                  down2 = 256.0 * s.dx1[k];
     bool touches = true, crosses = false;  // the box
@@ -112,14 +115,36 @@ RELEVO_LANE void cover_triangle(const StoredSetup& s, int k, bool small, std::ui
         touches = touches && e + (across > 0 ? across : 0) + (along > 0 ? along : 0) >= bias;
         crosses = crosses || e + (across < 0 ? across : 0) + (along < 0 ? along : 0) < bias;
     };
-    edge(s.area[k] - e1 - e2, -step1 - step2, -down1 - down2, s.bias0[k]);
-    edge(e1, step1, down1, s.bias1[k]);
-    edge(e2, step2, down2, s.bias2[k]);
+    edge(s.area[k] - box.e1 - box.e2, -step1 - step2, -down1 - down2, s.bias0[k]);
+    edge(box.e1, step1, down1, s.bias1[k]);
+    edge(box.e2, step2, down2, s.bias2[k]);
     if (!touches) return;
     if (crosses)
-        cover_rows<Cover::Double>(s, k, number, nearness, tile, e1, e2);
+        cover_rows<Cover::Double>(s, k, box, number, nearness, tile);
     else
-        cover_rows<Cover::All>(s, k, number, nearness, tile, e1, e2);
+        cover_rows<Cover::All>(s, k, box, number, nearness, tile);
+}
+
+// The rows of triangle k. Of a large one the box is taken in parts: fewer of them are crossed by an edge.
+inline constexpr int part_side = 64;
+RELEVO_LANE void cover_triangle(const StoredSetup& s, int k, bool small, std::uint32_t number,
+                                const Nearness& nearness, const TileMemory& tile) {
+    const double px = s.left[k], py = s.above[k];
+    // + 0.0: an edge value of 0 is +0, as a whole number's is
+    const double e1 = (px * s.dy2[k] - py * s.dx2[k]) + 0.0, e2 = (s.dx1[k] * py - s.dy1[k] * px) + 0.0;
+    const int x0 = s.x0[k], y0 = s.y0[k], x1 = s.x1[k], y1 = s.y1[k];
+    if (small) return cover_rows<Cover::Int>(s, k, {x0, y0, x1, y1, e1, e2}, number, nearness, tile);
+    for (int y = y0, last_y; y <= y1; y = last_y + 1) {
+        last_y = std::min(y | (part_side - 1), y1);
+        for (int x = x0, last_x; x <= x1; x = last_x + 1) {
+            last_x = std::min(x | (part_side - 1), x1);
+            const double across = 256.0 * (x - x0), down = 256.0 * (y - y0);
+            cover_part(s, k,
+                       {x, y, last_x, last_y, e1 + (across * s.dy2[k] - down * s.dx2[k]),
+                        e2 + (down * s.dx1[k] - across * s.dy1[k])},
+                       number, nearness, tile);
+        }
+    }
 }
 
 }  // namespace relevo::raster::fast::HWY_NAMESPACE

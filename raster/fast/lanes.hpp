@@ -277,7 +277,7 @@ RELEVO_LANE Floats to_real(Words a) {
 RELEVO_LANE Ints float_bits(Floats a) { return Ints(hn::BitCast(TagI(), a.v)); }
 RELEVO_LANE Floats bits_float(Ints a) { return Floats(hn::BitCast(TagF(), a.v)); }
 
-// The lanes that are true move to the front, in their order; what follows them may be anything.
+// The lanes that are true move to the front, in their order; what follows is 0 or another lane's number.
 #if HWY_TARGET <= HWY_AVX3
 RELEVO_LANE Ints compress(Ints a, Bools mask) { return Ints(hn::Compress(a.v, int_mask(mask))); }
 #else

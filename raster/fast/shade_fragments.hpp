@@ -94,65 +94,66 @@ RELEVO_LANE void prefetch_carried(const FragmentGroup& group) {
             hwy::Prefetch(group.model->carried + group.corner[corner][k] * std::size_t(group.model->stride));
 }
 
-// Shades what is seen of all kept fragments. Returns their number. covered: pixels that
-// show a kept fragment.
+// The pixels of the group's triangles `which`, which are of one model. `ids`: of these in their lanes.
+template <class P>
+RELEVO_LANE void shade_group(const TileAt& at, const ModelState& model, const FragmentGroup& group,
+                             const LaneIds& ids, std::uint32_t which, bool all) {
+    const Fragments& fragments = at.scratch.fragments;
+    const Surface& surface = model.setup.surface;
+    const Output output = at.draw.settings.output;
+    std::array<Ints, 3> corner{load(group.corner[0]), load(group.corner[1]), load(group.corner[2])};
+    if (group.model == nullptr) corner = vertices_of(model, ids);
+    const Bools negative = from_bits(group.negative);
+    LaneSetup<P> s;
+    load_carried(at.draw, model, ids, corner,
+                 {from_bits(group.one), from_bits(group.two), model.setup.mirrored ? negative : !negative},
+                 s);
+
+    const auto shown_by = [&](const FragmentsAt& f) RELEVO_INSIDE {
+        if (all) return bits(f.valid);
+        return bits(f.valid & is_negative(f.of_triangle(select(from_bits(which), Ints(-1), Ints(0)))));
+    };
+    int k = group.first;
+    if constexpr (!is_lit_at_once<P> && !P::needs_face) {  // light runs for two registers at once: twice.hpp
+        for (; k + lanes < group.last; k += 2 * lanes) {
+            const FragmentsAt f = fragments_at(fragments, k, group.last),
+                              g = fragments_at(fragments, k + lanes, group.last);
+            const PixelNumbers<P> of_f = pixel_numbers<P>(group, s, f), of_g = pixel_numbers<P>(group, s, g);
+            std::array<Floats2, P::size> carried;
+            for (std::size_t j = 0; j < P::size; ++j) carried[j] = {of_f.carried[j], of_g.carried[j]};
+            const RgbOf<Floats2> c = P::template pixel<Floats2>(surface, {}, carried.data());
+            const Twice<Words> packed = packed_rgba8<Floats2>(c, output);
+            write_fragments(at, {c.r.a, c.g.a, c.b.a}, packed.a, f.place, shown_by(f));
+            write_fragments(at, {c.r.b, c.g.b, c.b.b}, packed.b, g.place, shown_by(g));
+        }
+    }
+    for (; k < group.last; k += lanes) {
+        const FragmentsAt f = fragments_at(fragments, k, group.last);
+        const PixelNumbers<P> n = pixel_numbers<P>(group, s, f);
+        const RgbOf<Floats> c = P::template pixel<Floats>(surface, n.face, n.carried.data());
+        write_fragments(at, c, packed_rgba8<Floats>(c, output), f.place, shown_by(f));
+    }
+}
+
+// Shades what is seen of all kept fragments. Returns their number. covered: pixels that show one.
 template <template <bool> class Program>
 [[gnu::noinline, gnu::flatten]] std::uint64_t shade_fragments(const TileAt& at, int covered) {
     Fragments& fragments = at.scratch.fragments;
-    const DrawState& draw = at.draw;
-    // Every fragment is seen when there are as many as pixels that show one: each pixel shows one alone.
+    // As many as pixels that show one: then every one is seen, for each pixel shows one alone.
     if (covered != fragments.kept) drop_hidden(at.scratch.tile, fragments);
+    const FragmentGroup* groups = groups_of(fragments);
     for (int g = 0; g < fragments.group_count; ++g) {
-        const FragmentGroup& group = groups_of(fragments)[g];
-        if (g + 2 < fragments.group_count) prefetch_carried(groups_of(fragments)[g + 2]);
-        const int end = group.last;
+        const FragmentGroup& group = groups[g];
+        if (g + 2 < fragments.group_count) prefetch_carried(groups[g + 2]);
         const int left = at.listed - static_cast<int>(group.first_number);
-        const std::uint32_t triangles = bits(first_lanes(left < lanes ? left : lanes));
-        for_each_model(
-            draw, load(at.scratch.ids + group.first_number), triangles,
-            [&](std::uint32_t number, std::uint32_t which, const LaneIds& ids) RELEVO_INSIDE {
-                const ModelState& model = draw.models[number];
-                with_texture<Program>(model, [&]<class P>(P) RELEVO_INSIDE {
-                    LaneSetup<P> s;
-                    const Bools negative = from_bits(group.negative);
-                    std::array<Ints, 3> corner{load(group.corner[0]), load(group.corner[1]),
-                                               load(group.corner[2])};
-                    if (group.model == nullptr) corner = vertices_of(model, ids);
-                    load_carried(draw, model, ids, corner,
-                                 {from_bits(group.one), from_bits(group.two),
-                                  model.setup.mirrored ? negative : !negative},
-                                 s);
-                    const Surface& surface = model.setup.surface;
-                    const auto mine = [&](const FragmentsAt& f) RELEVO_INSIDE {
-                        if (which == triangles) return bits(f.valid);
-                        return bits(f.valid &
-                                    is_negative(f.of_triangle(select(from_bits(which), Ints(-1), Ints(0)))));
-                    };
-                    int k = group.first;
-                    if constexpr (!is_lit_at_once<P> && !P::needs_face) {
-                        for (; k + lanes < end; k += 2 * lanes) {
-                            const FragmentsAt f = fragments_at(fragments, k, end),
-                                              next = fragments_at(fragments, k + lanes, end);
-                            const PixelNumbers<P> n = pixel_numbers<P>(group, s, f),
-                                                  m = pixel_numbers<P>(group, s, next);
-                            std::array<Floats2, P::size> carried;
-                            for (std::size_t j = 0; j < P::size; ++j)
-                                carried[j] = {n.carried[j], m.carried[j]};
-                            const RgbOf<Floats2> c = P::template pixel<Floats2>(surface, {}, carried.data());
-                            const Twice<Words> packed = packed_rgba8<Floats2>(c, draw.settings.output);
-                            write_fragments(at, {c.r.a, c.g.a, c.b.a}, packed.a, f.place, mine(f));
-                            write_fragments(at, {c.r.b, c.g.b, c.b.b}, packed.b, next.place, mine(next));
-                        }
-                    }
-                    for (; k < end; k += lanes) {
-                        const FragmentsAt f = fragments_at(fragments, k, end);
-                        const PixelNumbers<P> n = pixel_numbers<P>(group, s, f);
-                        const RgbOf<Floats> c = P::template pixel<Floats>(surface, n.face, n.carried.data());
-                        write_fragments(at, c, packed_rgba8<Floats>(c, draw.settings.output), f.place,
-                                        mine(f));
-                    }
-                });
-            });
+        const std::uint32_t all = bits(first_lanes(left < lanes ? left : lanes));
+        for_each_model(at.draw, load(at.scratch.ids + group.first_number), all,
+                       [&](std::uint32_t number, std::uint32_t which, const LaneIds& ids) RELEVO_INSIDE {
+                           const ModelState& model = at.draw.models[number];
+                           with_texture<Program>(model, [&]<class P>(P) RELEVO_INSIDE {
+                               shade_group<P>(at, model, group, ids, which, which == all);
+                           });
+                       });
     }
     return static_cast<std::uint64_t>(fragments.kept);
 }

@@ -366,13 +366,19 @@ template <template <bool> class Program>
 }
 
 // ------------------------------------------------------------------------------------------------ a tile
+RELEVO_LANE void write_shaded_row(const TileAt& at, int row) {
+    const std::uint32_t* colors = at.color_row(row);
+    write_tile_row(at.draw, at.scratch, at.box, row,
+                   [colors](int k) RELEVO_INSIDE { return load(colors + k); });
+}
+
 template <template <bool> class Program>
 [[gnu::noinline, gnu::flatten]] std::uint64_t shade_blocks(const TileAt& at) {
     KeptSetups kept(at.scratch.kept);
     WaitingBlocks waiting;
     std::uint64_t shaded = 0;
     const TileMemory tile = at.scratch.tile;
-    const bool has_plane = at.has_plane();
+    const bool has_plane = at.has_plane;
     std::uint32_t last = nothing;  // number of the triangle that `setup` is of
     KeptSetup setup{};
     const auto set_up_of = [&](std::uint32_t number) RELEVO_INSIDE {
@@ -414,8 +420,7 @@ template <template <bool> class Program>
         }
         if (waiting.count > 0) light_blocks<Program>(at, waiting);
         for (int line = row; line < row + block_rows && line < at.box.height; ++line)
-            write_tile_row(at.draw, at.scratch, at.box, line,
-                           [&](int k) RELEVO_INSIDE { return load(at.color_row(line) + k); });
+            write_shaded_row(at, line);
     }
     return shaded;
 }
@@ -437,15 +442,14 @@ RELEVO_LANE std::uint64_t shade_plane(const TileAt& at) {
     std::uint64_t shaded = shade_fragments<Program>(at, covered);
     if (at.scratch.in_blocks) return shaded + shade_blocks<Program>(at);
     for (int y = 0; y < at.box.height; ++y) {
-        write_tile_row(at.draw, at.scratch, at.box, y,
-                       [&](int k) RELEVO_INSIDE { return load(at.color_row(y) + k); });
+        write_shaded_row(at, y);
         write_background_row(at.draw, at.scratch.background);
     }
     return shaded;
 }
 template <template <bool> class Program>
 RELEVO_LANE std::uint64_t shade_any(const TileAt& at) {
-    return at.has_plane() ? shade_plane<Program>(at) : shade_blocks<Program>(at);
+    return at.has_plane ? shade_plane<Program>(at) : shade_blocks<Program>(at);
 }
 
 // Everything is of one colour.

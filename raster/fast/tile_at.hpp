@@ -25,10 +25,11 @@ struct TileAt {
     TileScratch& scratch;
     int listed;  // ids
     const TileBox& box;
+    bool has_plane = scratch.fragments.group_count > 0;
+    int row_mask = has_plane ? -1 : block_rows - 1;
 
-    RELEVO_LANE bool has_plane() const { return scratch.fragments.group_count > 0; }
     RELEVO_LANE std::uint32_t* color_row(int row) const {
-        return scratch.tile.color + (has_plane() ? row : row % block_rows) * scratch.tile.stride;
+        return scratch.tile.color + (row & row_mask) * scratch.tile.stride;
     }
 };
 

@@ -427,19 +427,24 @@ TEST(Boundary, MoreGroupsThanATileKeeps) {
     for (const View view : {View::Parallel, View::Perspective})
         for (const raster::Shading shading : {raster::Shading::Unlit, raster::Shading::Flat,
                                               raster::Shading::Gouraud, raster::Shading::Phong}) {
-            WindowScene scene({130, 131}, view, 11);
-            for (int i = 0; i < 90000; ++i) {
-                Corners t{scene.anywhere(), {}, {}};
-                for (Corner& c : t) {
-                    const auto off = [&] { return double(scene.random().integer(-200, 200)); };
-                    c = {t[0].x + off(), t[0].y + off(), Scalar(scene.random().unit()), t[0].w};
+            for (const bool in_planes : {false, true}) {
+                WindowScene scene({130, 131}, view, 11);
+                hard::Random& random = scene.random();
+                for (int i = 0; i < 60000; ++i) {
+                    Corners t{scene.anywhere(), {}, {}};
+                    const Scalar plane = Scalar(random.integer(1, 2)) / 4;
+                    for (Corner& c : t) {
+                        const auto off = [&] { return double(random.integer(-200, 200)); };
+                        c = {t[0].x + off(), t[0].y + off(), in_planes ? plane : Scalar(random.unit()),
+                             in_planes ? 1 : t[0].w};
+                    }
+                    scene.add(t);
                 }
-                scene.add(t);
+                Settings settings = textured_phong();
+                settings.shading = shading;
+                EXPECT_TRUE(is_same_few(scene, settings)) << int(shading) << in_planes;
+                EXPECT_TRUE(is_same_few(scene, settings)) << int(shading) << in_planes;
             }
-            Settings settings = textured_phong();
-            settings.shading = shading;
-            EXPECT_TRUE(is_same_few(scene, settings)) << int(shading);
-            EXPECT_TRUE(is_same_few(scene, settings)) << int(shading);
         }
 }
 
