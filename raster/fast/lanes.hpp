@@ -363,6 +363,29 @@ RELEVO_LANE void store(Doubles a, double* p) {
     hn::StoreU(a.low, TagD(), p);
     hn::StoreU(a.high, TagD(), p + lanes / 2);
 }
+// Four numbers of each lane side by side, or eight: a0 a1 .. of lane 0 | of lane 1 | ...
+RELEVO_LANE void store_fours(const Floats* a, float* p) {
+    hn::StoreInterleaved4(a[0].v, a[1].v, a[2].v, a[3].v, TagF(), p);
+}
+RELEVO_LANE void store_eights(const Floats* a, float* p) {
+    alignas(64) float first[4 * lanes], second[4 * lanes];
+    store_fours(a, first), store_fours(a + 4, second);
+    for (int k = 0; k < 4 * lanes; k += lanes) {
+        const auto x = hn::Load(TagF(), first + k), y = hn::Load(TagF(), second + k);
+#if HWY_TARGET == HWY_AVX3
+        const __m512i low = _mm512_set_epi64(11, 10, 3, 2, 9, 8, 1, 0),
+                      high = _mm512_set_epi64(15, 14, 7, 6, 13, 12, 5, 4);
+        const __m512d xd = _mm512_castps_pd(x.raw), yd = _mm512_castps_pd(y.raw);
+        _mm512_storeu_pd(p + 2 * k, _mm512_permutex2var_pd(xd, low, yd));
+        _mm512_storeu_pd(p + 2 * k + lanes, _mm512_permutex2var_pd(xd, high, yd));
+#elif HWY_TARGET == HWY_AVX2
+        hn::StoreU(hn::ConcatLowerLower(TagF(), y, x), TagF(), p + 2 * k);
+        hn::StoreU(hn::ConcatUpperUpper(TagF(), y, x), TagF(), p + 2 * k + lanes);
+#else
+        hn::StoreU(x, TagF(), p + 2 * k), hn::StoreU(y, TagF(), p + 2 * k + lanes);
+#endif
+    }
+}
 // Past the caches, to a multiple of the register's size.
 RELEVO_LANE void stream(Floats a, float* p) { hn::Stream(a.v, TagF(), p); }
 RELEVO_LANE void stream(Ints a, std::uint32_t* p) { hn::Stream(hn::BitCast(TagU(), a.v), TagU(), p); }

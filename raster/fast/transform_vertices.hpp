@@ -29,18 +29,6 @@ RELEVO_LANE LaneVertex load_vertices(const pipeline::Vertex* vertices) {
         {even(px_ny), even(py_nz), even(pz_u)}, {even(nx_v), odd(px_ny), odd(py_nz)}, odd(pz_u), odd(nx_v)};
 }
 
-RELEVO_LANE void store_carried(const Floats* a, int stride, float* to) {
-    if (stride == 4) return hn::StoreInterleaved4(a[0].v, a[1].v, a[2].v, a[3].v, TagF(), to);
-    alignas(64) float first[4 * lanes], second[4 * lanes];
-    hn::StoreInterleaved4(a[0].v, a[1].v, a[2].v, a[3].v, TagF(), first);
-    hn::StoreInterleaved4(a[4].v, a[5].v, a[6].v, a[7].v, TagF(), second);
-    const hn::Full128<float> tag;
-    for (int k = 0; k < lanes; ++k) {
-        hn::Store(hn::Load(tag, first + 4 * k), tag, to + 8 * k);
-        hn::Store(hn::Load(tag, second + 4 * k), tag, to + 8 * k + 4);
-    }
-}
-
 template <class Program>
 RELEVO_LANE void transform_group(const ModelState& model, const pipeline::Viewport& viewport,
                                  const pipeline::Vertex* vertices, SnappedCorner* window, float* carried) {
@@ -61,7 +49,7 @@ RELEVO_LANE void transform_group(const ModelState& model, const pipeline::Viewpo
         Floats a[max_carried];
         for (int k = 0; k < max_carried; ++k)
             a[k] = k < int(Program::size) ? values[std::size_t(k)] : Floats(0.f);
-        store_carried(a, Program::size <= 4 ? 4 : 8, carried);
+        Program::size <= 4 ? store_fours(a, carried) : store_eights(a, carried);
     }
 }
 
