@@ -21,13 +21,16 @@ std::string obstacle(const Scene& scene, const Settings& settings) {
     return "";
 }
 
+// More threads get smaller tiles: more pieces to share out, and less memory each.
+constexpr int most_for_large_tiles = 8;
+
 }  // namespace
 
 PathPlan plan_path(const Scene& scene, const Settings& settings, int threads) {
     const std::string why_not = settings.path == Path::Textbook ? "asked for" : obstacle(scene, settings);
     if (!why_not.empty()) return {.reason = "textbook: " + why_not};
     PathPlan plan{true, settings.instruction_set.value_or(fast::instruction_sets().back()), threads,
-                  fast::Options{}.tile, ""};
+                  threads > most_for_large_tiles ? 64 : fast::Options{}.tile, ""};
     plan.reason = "fast: " + std::string(fast::name(plan.instruction_set)) + ", " + std::to_string(threads) +
                   (threads == 1 ? " thread" : " threads") + ", tiles of " + std::to_string(plan.tile) +
                   " pixels";

@@ -43,6 +43,12 @@ TEST(Path, TheFastOneWhereverItIsPossible) {
     }
 }
 
+TEST(Path, SmallerTilesForManyThreads) {
+    if (fast::instruction_sets().empty()) return;
+    EXPECT_EQ(plan_path({}, asking_for(Path::Auto), 8).tile, 128);
+    EXPECT_EQ(plan_path({}, asking_for(Path::Auto), 9).tile, 64);
+}
+
 TEST(Path, AnInstructionSetOnDemand) {
     for (const InstructionSet set : {InstructionSet::Sse4, InstructionSet::Avx2, InstructionSet::Avx512}) {
         const auto there = fast::instruction_sets();

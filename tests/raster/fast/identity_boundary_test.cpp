@@ -422,13 +422,15 @@ TEST(Boundary, MoreFragmentsThanATileKeeps) {
             }
 }
 
-// Nor for all groups of 16 that show a pixel somewhere.
+// Nor for all groups of 16 triangles that show a pixel somewhere.
 TEST(Boundary, MoreGroupsThanATileKeeps) {
+    std::vector<Way> ways = all_ways();
+    std::erase_if(ways, [](const Way& way) { return way.tile != 32 || way.threads == 2; });
     for (const View view : {View::Parallel, View::Perspective})
         for (const raster::Shading shading : {raster::Shading::Unlit, raster::Shading::Flat,
-                                              raster::Shading::Gouraud, raster::Shading::Phong}) {
+                                              raster::Shading::Gouraud, raster::Shading::Phong})
             for (const bool in_planes : {false, true}) {
-                WindowScene scene({130, 131}, view, 11);
+                WindowScene scene({34, 33}, view, 11);
                 hard::Random& random = scene.random();
                 for (int i = 0; i < 60000; ++i) {
                     Corners t{scene.anywhere(), {}, {}};
@@ -442,10 +444,8 @@ TEST(Boundary, MoreGroupsThanATileKeeps) {
                 }
                 Settings settings = textured_phong();
                 settings.shading = shading;
-                EXPECT_TRUE(is_same_few(scene, settings)) << int(shading) << in_planes;
-                EXPECT_TRUE(is_same_few(scene, settings)) << int(shading) << in_planes;
+                EXPECT_TRUE(is_same(scene, ways, settings)) << int(shading) << in_planes;
             }
-        }
 }
 
 // Groups whose fragments are kept and groups that are drawn in rows, in the same planes, in all orders.
