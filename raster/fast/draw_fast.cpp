@@ -1,5 +1,7 @@
 #include "raster/fast/draw_fast.hpp"
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -17,35 +19,49 @@
 namespace relevo::raster::fast {
 namespace {
 
-// Memory that grows, is never cleared and starts on a cache line.
+// Memory that grows, is never cleared and starts on a cache line. Much of it comes in huge pages where there
+// are any: the numbers of a mesh's vertices are asked for in any order, and of small pages only few are found
+// fast.
 template <class T>
 class Buffer {
   public:
     T* room_for(std::size_t count) {
         if (count > capacity_) {
-            memory_.reset(static_cast<T*>(std::aligned_alloc(64, (count * sizeof(T) + 63) / 64 * 64)));
+            const std::size_t page = count * sizeof(T) < least_huge ? 64 : huge_page;
+            const std::size_t bytes = (before + count * sizeof(T) + page - 1) / page * page;
+            memory_.reset(static_cast<std::byte*>(std::aligned_alloc(page, bytes)));
             if (memory_ == nullptr) std::abort();
+#ifdef MADV_HUGEPAGE
+            if (page == huge_page) madvise(memory_.get(), bytes, MADV_HUGEPAGE);
+#endif
             capacity_ = count;
         }
-        return memory_.get();
+        return first();
     }
     // The same, and what is there stays.
     T* grow(std::size_t count) {
-        if (count <= capacity_) return memory_.get();
+        if (count <= capacity_) return first();
         Buffer larger;
         larger.room_for(count);
-        if (capacity_ > 0) std::copy_n(memory_.get(), capacity_, larger.memory_.get());
+        if (capacity_ > 0) std::copy_n(first(), capacity_, larger.first());
         std::swap(*this, larger);
-        return memory_.get();
+        return first();
     }
     std::size_t capacity() const { return capacity_; }
     std::size_t bytes() const { return capacity_ * sizeof(T); }
 
   private:
+    static constexpr std::size_t huge_page = std::size_t{2} << 20, least_huge = 2 * huge_page;
+    // Not all buffers begin at the same place of a page: what belongs to one vertex would stand in the same
+    // few lines of the caches.
+    static constexpr std::size_t before = 64 * sizeof(T);
+
+    T* first() const { return memory_ == nullptr ? nullptr : reinterpret_cast<T*>(memory_.get() + before); }
+
     struct Free {
-        void operator()(T* p) const { std::free(p); }
+        void operator()(std::byte* p) const { std::free(p); }
     };
-    std::unique_ptr<T, Free> memory_;
+    std::unique_ptr<std::byte, Free> memory_;
     std::size_t capacity_ = 0;
 };
 
