@@ -375,7 +375,7 @@ class FastDraw {
 
     void bin() {
         const std::size_t tiles = std::size_t(draw_.tiles_across) * std::size_t(draw_.tiles_down);
-        const std::uint32_t wanted = workers() == 1 ? 1 : 4 * static_cast<std::uint32_t>(workers());
+        const std::uint32_t wanted = workers() == 1 ? 1 : 8 * static_cast<std::uint32_t>(workers());
         const std::uint32_t needed = (triangles_ + max_chunk_triangles - 1) / max_chunk_triangles;
         chunk_count_ = std::clamp(std::max(std::min(wanted, triangles_ / 4096), needed), 1u, max_chunks + 0u);
         if (memory_.chunks.size() < chunk_count_) memory_.chunks.resize(chunk_count_);
