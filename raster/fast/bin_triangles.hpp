@@ -1,8 +1,7 @@
 // Stage 2 of the fast path: N triangles at a time are culled and listed in the tiles that their boxes touch.
 //
 //   indices  i0 i1 i2 | i0 i1 i2 | ...   -> the corners in the window, a triangle a lane
-//   lanes    area, facing, box (cut to the picture)   -> ids in the tiles' lists, in the order of the
-//   triangles
+//   lanes    area, facing, box (cut to the picture)   -> ids in the tiles' lists, in their order
 //
 // Dropped here, by proof: what faces the wrong way, has no area, holds no pixel centre in its box, or holds a
 // single one that it does not cover. Nothing is kept of a triangle but its number: computing its set-up again

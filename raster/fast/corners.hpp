@@ -46,7 +46,7 @@ struct OrderedTriangles {
     Bools negative;  // the caller's area
     LaneCorner c0, c1, c2;
     Ints dx1, dy1, dx2, dy2;  // corner k - corner 0, with the sign of the area
-    Doubles area;             // without
+    Doubles area;             // without it
 };
 // What belongs to a triangle's corners, from the corner on that comes first.
 template <class T>

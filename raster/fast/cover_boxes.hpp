@@ -54,7 +54,7 @@ RELEVO_LANE void cover_boxes(const TileMemory& tile, Fragments& fragments, const
                              const GroupCorners& corners, const OrderedTriangles& triangle,
                              const InterpolatorOf<Floats>& plane, const Nearness& nearness,
                              std::uint32_t first_number, int most_columns, int most_rows, bool keep) {
-    static_assert((most_walked + 1) * lanes <= fragment_slack);
+    static_assert((2 * most_walked + 1) * lanes <= fragment_slack);
     const int first = fragments.end, end = walk_boxes(fragments, walk, tile.stride, most_columns, most_rows);
     alignas(64) float near[(most_walked + 1) * lanes];
     for (int k = first; k < end; k += lanes) {

@@ -2,8 +2,8 @@
 //
 // Depth needs the edge values in double, where every one (below 2^49) is exact. Coverage asks for their signs
 // only: in int32 where they fit (max_small_extent), else in double; and not at all where no edge crosses the
-// box. Of large triangles only, whose rows are long, pixels that the triangle does not touch are passed over:
-// in short rows a branch for that is guessed wrong too often.
+// part of the box at hand. Of large triangles only, whose rows are long, parts and pixels that the triangle
+// does not touch are passed over: in short rows a branch for that is guessed wrong too often.
 #pragma once
 #include <algorithm>
 
@@ -26,7 +26,7 @@ struct StoredSetup {
 enum class Cover {
     Int,     // edge values in int32
     Double,  // edge values in double
-    All,     // no edge crosses the box
+    All,     // no edge crosses it
 };
 
 // A part of a triangle's box, and the edge values at its first pixel.

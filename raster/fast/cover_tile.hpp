@@ -1,12 +1,13 @@
 // Stage 3 of the fast path: coverage and depth of a tile's triangles. What is left is a visibility buffer:
 //
 //   nearness   of each pixel (greater is nearer)          rows of `stride`, a little longer than the tile
-//   visible    of each pixel: its triangle, by the place in the tile's list of ids (and kept_bit:
-//   fragments.hpp)
+//   visible    of each pixel: its triangle, by the place in the tile's list of ids (and fragments.hpp's
+//              kept_bit)
 //
 // Set-up is N triangles at a time, a lane each; then small ones together (cover_boxes.hpp) and others alone
-// (cover_rows.hpp), all exactly as the textbook path. Triangles are drawn in their order, so that strict
-// comparison keeps the first of equal depths.
+// (cover_rows.hpp), all exactly as the textbook path. Groups, and triangles of rows, are drawn in
+// their order, so that strict comparison keeps the first of equal depths; within a group of boxes the number
+// decides.
 #pragma once
 #include "raster/fast/cover_boxes.hpp"
 #include "raster/fast/cover_rows.hpp"

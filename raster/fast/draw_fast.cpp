@@ -1,7 +1,5 @@
 #include "raster/fast/draw_fast.hpp"
 
-#include <sys/mman.h>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -10,6 +8,7 @@
 
 #include "raster/clip_triangle.hpp"
 #include "raster/fast/bins.hpp"
+#include "raster/fast/buffer.hpp"
 #include "raster/fast/stages.hpp"
 #include "raster/fast/workers.hpp"
 #include "raster/image.hpp"
@@ -18,52 +17,6 @@
 
 namespace relevo::raster::fast {
 namespace {
-
-// Memory that grows, is never cleared and starts on a cache line. Much of it comes in huge pages where there
-// are any: the numbers of a mesh's vertices are asked for in any order, and of small pages only few are found
-// fast.
-template <class T>
-class Buffer {
-  public:
-    T* room_for(std::size_t count) {
-        if (count > capacity_) {
-            const std::size_t page = count * sizeof(T) < least_huge ? 64 : huge_page;
-            const std::size_t bytes = (before + count * sizeof(T) + page - 1) / page * page;
-            memory_.reset(static_cast<std::byte*>(std::aligned_alloc(page, bytes)));
-            if (memory_ == nullptr) std::abort();
-#ifdef MADV_HUGEPAGE
-            if (page == huge_page) madvise(memory_.get(), bytes, MADV_HUGEPAGE);
-#endif
-            capacity_ = count;
-        }
-        return first();
-    }
-    // The same, and what is there stays.
-    T* grow(std::size_t count) {
-        if (count <= capacity_) return first();
-        Buffer larger;
-        larger.room_for(count);
-        if (capacity_ > 0) std::copy_n(first(), capacity_, larger.first());
-        std::swap(*this, larger);
-        return first();
-    }
-    std::size_t capacity() const { return capacity_; }
-    std::size_t bytes() const { return capacity_ * sizeof(T); }
-
-  private:
-    static constexpr std::size_t huge_page = std::size_t{2} << 20, least_huge = 2 * huge_page;
-    // Not all buffers begin at the same place of a page: what belongs to one vertex would stand in the same
-    // few lines of the caches.
-    static constexpr std::size_t before = 64 * sizeof(T);
-
-    T* first() const { return memory_ == nullptr ? nullptr : reinterpret_cast<T*>(memory_.get() + before); }
-
-    struct Free {
-        void operator()(std::byte* p) const { std::free(p); }
-    };
-    std::unique_ptr<std::byte, Free> memory_;
-    std::size_t capacity_ = 0;
-};
 
 struct ModelMemory {
     Buffer<SnappedCorner> window;
@@ -377,7 +330,12 @@ class FastDraw {
         const std::size_t tiles = std::size_t(draw_.tiles_across) * std::size_t(draw_.tiles_down);
         const std::uint32_t wanted = workers() == 1 ? 1 : 8 * static_cast<std::uint32_t>(workers());
         const std::uint32_t needed = (triangles_ + max_chunk_triangles - 1) / max_chunk_triangles;
-        chunk_count_ = std::clamp(std::max(std::min(wanted, triangles_ / 4096), needed), 1u, max_chunks + 0u);
+        // so that in each chunk every tile's list may have its two first blocks
+        const std::size_t words = list_room / 4 + 2 * std::size_t{triangles_};
+        const std::uint32_t fitting = static_cast<std::uint32_t>(
+            std::min<std::size_t>(words / (tiles * (first_block + later_block)), max_chunks));
+        chunk_count_ =
+            std::clamp(std::max(std::min({wanted, triangles_ / 4096, fitting}), needed), 1u, max_chunks + 0u);
         if (memory_.chunks.size() < chunk_count_) memory_.chunks.resize(chunk_count_);
         chunks_.resize(chunk_count_);
         memory_.pieces.resize(chunk_count_);
@@ -413,7 +371,7 @@ class FastDraw {
         const std::size_t pixels = std::size_t(stride) * std::size_t(draw_.tile) + 16;
         if (memory_.workers.size() < std::size_t(workers())) memory_.workers.resize(std::size_t(workers()));
         const std::size_t fragments = 4 * pixels, with_slack = fragments + fragment_slack;
-        const std::size_t group_bytes = 20 * fragments;  // of 16 lanes: for one group of 29 fragments
+        const std::size_t group_bytes = 20 * fragments;  // of 16 lanes: for groups of 26 fragments
         for (WorkerMemory& worker : memory_.workers) {
             worker.scratch = {.tile = {stride, worker.nearness.room_for(pixels),
                                        shows_one_color(draw_) ? nullptr : worker.visible.room_for(pixels),

@@ -35,8 +35,8 @@ inline constexpr int max_carried = 8;                           // numbers that 
 
 // One model in one shading program. `window` and `carried` have an entry for each vertex:
 //
-//   window   x y z rw | x y z rw | ...     16 bytes a vertex; a vertex with a clip code has rw = 0 and x =
-//   code carried  a0 .. a3 [a4 .. a7] | ...     `stride` floats a vertex (0, 4 or 8), of which `size` count:
+//   window   x y z rw | x y z rw | ...     16 bytes a vertex; with a clip code: rw = 0, x = code
+//   carried  a0 .. a3 [a4 .. a7] | ...     `stride` floats a vertex (0, 4 or 8), of which `size` count:
 //                                          raster/shading.hpp's corner(), towards the front
 struct ModelState {
     std::span<const pipeline::Vertex> vertices;
@@ -116,8 +116,8 @@ inline bool shows_one_color(const DrawState& draw) {
 // The memory of one tile, of one worker. Rows are `stride` long: a register may reach past the tile's end.
 //
 //   nearness  of each pixel: its depth, with the sign turned when forward depth is drawn: greater is nearer
-//   visible   of each pixel: the triangle that is seen, by its place in the tile's list; null where all
-//             triangles have one colour, and depth alone tells what is covered
+//   visible   of each pixel: the triangle that is seen, by its place in the tile's list (and kept_bit:
+//             fragments.hpp); null where all triangles have one colour, and depth alone tells what is covered
 //   color     of each pixel, or of the few rows that are being shaded (tile_at.hpp)
 struct TileMemory {
     int stride = 0;

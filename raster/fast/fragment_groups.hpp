@@ -17,7 +17,7 @@ struct FragmentGroup {
     std::uint32_t one, two, negative;  // OrderedTriangles' (corners.hpp)
     const ModelState* model;           // of all of them, none a piece; else null, and `corner` unknown
     alignas(64) std::int32_t area[lanes];
-    float rw[3][lanes];              // 1 / w of the corners in canonical order
+    float rw[3][lanes];              // 1 / w of OrderedTriangles' corners
     std::uint32_t corner[3][lanes];  // the vertices' numbers in the order of the mesh
 };
 

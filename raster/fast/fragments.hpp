@@ -26,7 +26,7 @@ struct Fragments {
     int group_count = 0;
     bool stays_full = false;  // dropping what is hidden frees too little
 };
-// Of one group at most, and a register.
+// Of the last group that is kept, of one that is not, and of a register.
 inline constexpr int fragment_slack = 8192;
 
 }  // namespace relevo::raster::fast

@@ -351,7 +351,7 @@ struct Picked {
 };
 
 // ------------------------------------------------------------------------------------------------ memory
-// Of N values in a row; `aligned` ones stand on a multiple of the register's size.
+// Of N values in a row, anywhere.
 RELEVO_LANE Floats load(const float* p) { return Floats(hn::LoadU(TagF(), p)); }
 RELEVO_LANE Ints load(const std::int32_t* p) { return Ints(hn::LoadU(TagI(), p)); }
 RELEVO_LANE Ints load(const std::uint32_t* p) { return Ints(hn::BitCast(TagI(), hn::LoadU(TagU(), p))); }

@@ -19,8 +19,8 @@ struct FragmentsAt {
     Bools valid;
     const std::uint32_t* place;
 };
-// From the k-th on. Lanes past the end stand on corner 0 of the group's first triangle, where no number is
-// extreme.
+// From the k-th on. Lanes past the end stand on corner 0 of the group's first triangle: there no number is
+// extreme, as a rule, so that light need not go its slow ways.
 RELEVO_LANE FragmentsAt fragments_at(const Fragments& f, int k, int end) {
     const Bools valid = first_lanes(end - k < lanes ? end - k : lanes);
     const auto value = [&](const auto* from) RELEVO_INSIDE { return select(valid, load(from + k), Ints(0)); };

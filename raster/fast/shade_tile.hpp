@@ -270,7 +270,7 @@ RELEVO_LANE const ModelState& model_of(const TileAt& at, const KeptSetup& t) {
     return at.draw.models[t.group->model[t.column]];
 }
 
-// The whole block shows one triangle.
+// One triangle, in the lanes that are covered.
 template <template <bool> class Program>
 RELEVO_LANE void shade_one(const TileAt& at, WaitingBlocks& waiting, const BlockAt& block,
                            const KeptSetup& t) {
@@ -319,7 +319,8 @@ RELEVO_LANE void shade_pair(const TileAt& at, const BlockAt& left, const KeptSet
     });
 }
 
-// False when the block shows too many triangles, or triangles of several models.
+// False when the block shows too many triangles, or of several models, or their set-ups have no room beside
+// each other.
 template <template <bool> class Program>
 RELEVO_LANE bool shade_few(const TileAt& at, KeptSetups& kept, WaitingBlocks& waiting, const BlockAt& block) {
     Seen seen;

@@ -22,7 +22,7 @@ struct TileScratch {
     std::byte* kept = nullptr;     // set-ups of triangles for shading, kept_bytes
     Background background{};       // is empty when the tile is done
     Fragments fragments{};
-    bool in_blocks = true;  // whether triangles are seen whose fragments are not kept
+    bool in_blocks = true;  // whether triangles are drawn whose fragments are not kept
 };
 inline constexpr std::size_t kept_triangles = 2048, kept_bytes = kept_triangles * 240;
 
