@@ -1,6 +1,6 @@
 // Which triangles touch which tile: for each chunk of triangles and each tile a list of ids in drawing order.
 //
-//   Chunk   lists[tile] -> 15 ids, link -> 63 ids, link -> 63 ids, link ...     one cache line, then four
+//   Chunk   lists[tile] -> 15 ids, link -> 127 ids, link -> 127 ids, link ...   one cache line, then eight
 //           wide[0], wide[1], ...                     triangles over many tiles: every tile looks at these
 //
 // A tile draws the lists of all chunks in their order, each merged with its chunk's `wide` ones. Where the
@@ -13,7 +13,7 @@
 namespace relevo::raster::fast {
 
 // A block of ids and the link to the next one, in words. Few triangles touch most tiles: the first is small.
-inline constexpr std::uint32_t first_block = 16, later_block = 64;
+inline constexpr std::uint32_t first_block = 16, later_block = 128;
 
 struct TileList {
     std::uint32_t first = 0, end = 0;   // words: the first block; where the next id, or the link, goes

@@ -330,8 +330,8 @@ class FastDraw {
         const std::size_t tiles = std::size_t(draw_.tiles_across) * std::size_t(draw_.tiles_down);
         const std::uint32_t wanted = workers() == 1 ? 1 : 8 * static_cast<std::uint32_t>(workers());
         const std::uint32_t needed = (triangles_ + max_chunk_triangles - 1) / max_chunk_triangles;
-        // so that in each chunk every tile's list may have its two first blocks
-        const std::size_t words = list_room / 4 + 2 * std::size_t{triangles_};
+        // so many that in each one every tile's list may have its two first blocks
+        const std::size_t words = list_room / 4 + triangles_;
         const std::uint32_t fitting = static_cast<std::uint32_t>(
             std::min<std::size_t>(words / (tiles * (first_block + later_block)), max_chunks));
         chunk_count_ =
