@@ -58,17 +58,6 @@ RELEVO_LANE PixelNumbers<P> pixel_numbers(const FragmentGroup& group, const Lane
     return n;
 }
 
-[[gnu::noinline]] static void write_linear(const TileAt& at, const RgbOf<Floats>& c,
-                                           const std::uint32_t* place, std::uint32_t which) {
-    alignas(64) float rgb[3][lanes];
-    store(c.r, rgb[0]), store(c.g, rgb[1]), store(c.b, rgb[2]);
-    const int stride = at.scratch.tile.stride;
-    for (; which != 0; which &= which - 1) {
-        const int k = std::countr_zero(which), place_of = static_cast<int>(place[k] & 0xffff);
-        *linear_at(at, place_of / stride, place_of % stride) = {rgb[0][k], rgb[1][k], rgb[2][k]};
-    }
-}
-
 // The colours of the fragments in `which` to their places.
 RELEVO_LANE void write_fragments(const TileAt& at, const RgbOf<Floats>& c, Words packed,
                                  const std::uint32_t* place, std::uint32_t which) {

@@ -30,16 +30,6 @@ struct BlockAt {
     Ints numbers;  // of the triangles
 };
 
-[[gnu::noinline]] static void write_linear(const TileAt& at, const RgbOf<Floats>& c, std::uint32_t which,
-                                           int row, int column) {
-    alignas(64) float rgb[3][lanes];
-    store(c.r, rgb[0]), store(c.g, rgb[1]), store(c.b, rgb[2]);
-    for (; which != 0; which &= which - 1) {
-        const int k = std::countr_zero(which);
-        *linear_at(at, row + k / block_columns, column + k % block_columns) = {rgb[0][k], rgb[1][k],
-                                                                               rgb[2][k]};
-    }
-}
 // The lanes of `which` of the block.
 RELEVO_LANE void write_block(const TileAt& at, Words packed, const RgbOf<Floats>& c, std::uint32_t which,
                              int row, int column) {
@@ -48,7 +38,10 @@ RELEVO_LANE void write_block(const TileAt& at, Words packed, const RgbOf<Floats>
     Ints colors = to_whole(packed);
     if (which != all_bits) colors = select(from_bits(which), colors, load_block(to, tile.stride));
     store_block(colors, to, tile.stride);
-    if (at.draw.linear != nullptr) write_linear(at, c, which, row, column);
+    if (at.draw.linear == nullptr) return;
+    alignas(64) std::uint32_t place[lanes];
+    store((Ints(row) + lane_rows()) * Ints(tile.stride) + Ints(column) + lane_columns(), place);
+    write_linear(at, c, place, which);
 }
 RELEVO_LANE void write_background(const TileAt& at, int row, int column) {
     const TileMemory& tile = at.scratch.tile;
