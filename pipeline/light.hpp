@@ -7,6 +7,7 @@
 // with unit vectors n (normal), l (towards the light), v (towards the viewer) and r = 2 (n.l) n - l.
 // Called a corner it is Gouraud's shading, called a pixel Phong's: the same function in another place.
 #pragma once
+#include <array>
 #include <span>
 
 #include "pipeline/color.hpp"
@@ -58,30 +59,82 @@ struct Lighting {
     Scalar ambient, diffuse, specular;
     Exponent shininess;
     bool parallel_view;  // the viewer lies towards +z; else at the origin of the eye
+    bool grey = false;   // are_grey(lights); false is right for any lights, and slower
 };
+
+// Whether each light's channels are the same. Then those of the sums are, and one is computed for all three.
+inline bool are_grey(std::span<const EyeLight> lights) {
+    for (const EyeLight& light : lights)
+        if (light.color.r != light.color.g || light.color.g != light.color.b) return false;
+    return true;
+}
+
+// The unit vectors at a point, for the first light: what the light equation needs roots and divisions for.
+// They are apart because a loop over many points is faster when these come first
+// (raster/fast/waiting_light.hpp).
+template <class Real>
+struct DirectionsOf {
+    Vec3Of<Real> normal, viewer, light;
+};
+template <class Real>
+[[gnu::always_inline]] inline Vec3Of<Real> towards_light(const EyeLight& light, const Vec3Of<Real>& point) {
+    if (light.directional) return light.place;
+    return normalize<Real>(Vec3Of<Real>(light.place) - point);
+}
+template <class Real>
+[[gnu::always_inline]] inline DirectionsOf<Real> directions(const Lighting& lighting,
+                                                            const Vec3Of<Real>& point,
+                                                            const Vec3Of<Real>& n) {
+    DirectionsOf<Real> to{n, Vec3(0, 0, 1), Vec3(0, 0, 0)};
+    if (!lighting.parallel_view) to.viewer = normalize<Real>(-point);
+    if (!lighting.lights.empty()) to.light = towards_light<Real>(lighting.lights[0], point);
+    return to;
+}
+
+// In RgbOf<Real>, or in Real where all lights are grey. point(): called for the lights after the first one.
+template <class Color, class Real, class Point>
+[[gnu::always_inline]] inline std::array<Color, 2> amount_and_gloss(const Lighting& lighting, Point&& point,
+                                                                    const DirectionsOf<Real>& to) {
+    const auto channels = [](const LinearRgb& c) -> Color {
+        if constexpr (std::is_same_v<Color, Real>)
+            return c.r;
+        else
+            return c;
+    };
+    const auto& [n, v, first] = to;
+    Color amount = channels({lighting.ambient, lighting.ambient, lighting.ambient}), gloss = channels({});
+    for (const EyeLight& light : lighting.lights) {
+        const Vec3Of<Real> l = &light == lighting.lights.data() ? first : towards_light<Real>(light, point());
+        const Real nl = dot<Real>(n, l);
+        const Mask<Real> lit = nl > 0;
+        if (!any(lit)) continue;
+        const Color color = channels(light.color);
+        const Vec3Of<Real> r = (nl + nl) * n - l;
+        const Real shine = power(dot<Real>(r, v), lighting.shininess);
+        amount = select(lit, amount + (lighting.diffuse * nl) * color, amount);
+        gloss = select(lit, gloss + (lighting.specular * shine) * color, gloss);
+    }
+    return {amount, gloss};
+}
 
 // The light equation at a point of eye space with its unit normal, the lights summed in their order.
 // A zero normal, or a light or viewer at the very point, leaves its terms out. Never not-a-number for finite
 // input.
+template <class Real, class Point>
+[[gnu::always_inline]] inline ReflectionOf<Real> reflect(const Lighting& lighting, Point&& point,
+                                                         const DirectionsOf<Real>& to) {
+    if (lighting.grey) {
+        const auto [amount, gloss] = amount_and_gloss<Real, Real>(lighting, point, to);
+        return {{amount, amount, amount}, {gloss, gloss, gloss}};
+    }
+    const auto [amount, gloss] = amount_and_gloss<RgbOf<Real>, Real>(lighting, point, to);
+    return {amount, gloss};
+}
 template <class Real>
 [[gnu::always_inline]] inline ReflectionOf<Real> reflect(const Lighting& lighting, const Vec3Of<Real>& point,
                                                          const Vec3Of<Real>& n) {
-    using Vector = Vec3Of<Real>;
-    const Vector v = lighting.parallel_view ? Vector{0, 0, 1} : normalize<Real>(-point);
-    ReflectionOf<Real> sum{{lighting.ambient, lighting.ambient, lighting.ambient}, {0, 0, 0}};
-    for (const EyeLight& light : lighting.lights) {
-        const Vector l =
-            light.directional ? Vector(light.place) : normalize<Real>(Vector(light.place) - point);
-        const Real nl = dot<Real>(n, l);
-        const Mask<Real> lit = nl > 0;
-        if (!any(lit)) continue;
-        const RgbOf<Real> color = light.color;
-        const Vector r = (nl + nl) * n - l;
-        const Real shine = power(dot<Real>(r, v), lighting.shininess);
-        sum.amount = select(lit, sum.amount + (lighting.diffuse * nl) * color, sum.amount);
-        sum.gloss = select(lit, sum.gloss + (lighting.specular * shine) * color, sum.gloss);
-    }
-    return sum;
+    return reflect<Real>(
+        lighting, [&] { return point; }, directions<Real>(lighting, point, n));
 }
 
 // The same for plain numbers.

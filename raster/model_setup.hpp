@@ -30,7 +30,7 @@ inline ModelSetup make_setup(const Camera& camera, const Model& model,
     const auto eye_from_object = camera.eye_from_world * model.world_from_object;
     const pipeline::Material& material = model.material;
     return {{{lights, material.ambient, material.diffuse, material.specular,
-              pipeline::exponent(material.shininess), camera.parallel},
+              pipeline::exponent(material.shininess), camera.parallel, pipeline::are_grey(lights)},
              material.color,
              model.texture,
              settings.texture_filter,

@@ -62,7 +62,7 @@ struct NoFace {};
 
 template <bool Textured>
 struct Unlit {
-    static constexpr bool textured = Textured, needs_eye = false, needs_face = false;
+    static constexpr bool textured = Textured, needs_eye = false, needs_face = false, lights_pixels = false;
     static constexpr std::size_t size = Textured ? 2 : 0;
     using Face = NoFace;
 
@@ -92,7 +92,7 @@ struct Flat : Unlit<Textured> {
 
 template <bool Textured>
 struct Gouraud {
-    static constexpr bool textured = Textured, needs_eye = true, needs_face = false;
+    static constexpr bool textured = Textured, needs_eye = true, needs_face = false, lights_pixels = false;
     static constexpr std::size_t size = Textured ? 8 : 3;
     using Face = NoFace;
 
@@ -118,7 +118,7 @@ struct Gouraud {
 
 template <bool Textured>
 struct Phong {
-    static constexpr bool textured = Textured, needs_eye = true, needs_face = false;
+    static constexpr bool textured = Textured, needs_eye = true, needs_face = false, lights_pixels = true;
     static constexpr std::size_t size = Textured ? 8 : 6;
     using Face = NoFace;
 
@@ -131,9 +131,21 @@ struct Phong {
     }
     template <class Real = Scalar>
     static RgbOf<Real> pixel(const Surface& surface, const Face&, Carried<Real> a) {
+        const auto point = [a] { return Vec3Of<Real>{a[0], a[1], a[2]}; };
+        return pixel<Real>(surface, a + 6, point, directions<Real>(surface, a));
+    }
+    // The two steps of it: what needs roots and divisions, and the rest.
+    template <class Real>
+    [[gnu::always_inline]] static pipeline::DirectionsOf<Real> directions(const Surface& surface,
+                                                                          Carried<Real> a) {
         const Vec3Of<Real> normal = pipeline::normalize<Real>({a[3], a[4], a[5]});
-        return reflected(base_color<Textured, Real>(surface, a + 6),
-                         pipeline::reflect<Real>(surface.lighting, {a[0], a[1], a[2]}, normal));
+        return pipeline::directions<Real>(surface.lighting, {a[0], a[1], a[2]}, normal);
+    }
+    template <class Real, class Point>
+    [[gnu::always_inline]] static RgbOf<Real> pixel(const Surface& surface, Carried<Real> uv, Point&& point,
+                                                    const pipeline::DirectionsOf<Real>& to) {
+        return reflected(base_color<Textured, Real>(surface, uv),
+                         pipeline::reflect<Real>(surface.lighting, point, to));
     }
 };
 

@@ -57,6 +57,32 @@ TEST(Light, LightsAddUpInTheirOrder) {
     EXPECT_EQ(all.amount, (LinearRgb{channel[0].r, channel[1].g, channel[2].b}));
 }
 
+TEST(Light, OneChannelStandsForAllThreeWhereLightsAreGrey) {
+    hard::Random r(3);
+    const auto between = [&](double low, double high) { return static_cast<Scalar>(r.between(low, high)); };
+    const auto vector = [&] { return Vec3(between(-1, 1), between(-1, 1), between(-1, 1)); };
+    for (int i = 0; i < 1000; ++i) {
+        EyeLight lights[3];
+        for (EyeLight& light : lights) {
+            const Scalar level = between(0, 2);
+            light = {r.coin(), normalize(vector()), {level, level, level}};
+        }
+        Lighting l = lighting(std::span(lights).first(static_cast<std::size_t>(r.integer(0, 3))));
+        const Vec3 point = vector() + Vec3(0, 0, -3), normal = normalize(vector());
+        const Reflection apart = reflect(l, point, normal);
+        l.grey = are_grey(l.lights);
+        const Reflection together = reflect(l, point, normal);
+        EXPECT_TRUE(l.grey);
+        EXPECT_EQ(apart.amount, together.amount);
+        EXPECT_EQ(apart.gloss, together.gloss);
+        EXPECT_EQ(together.amount.r, together.amount.b);
+    }
+    for (const LinearRgb& color : {LinearRgb{1, 1, Scalar(0.5)}, LinearRgb{1, Scalar(0.5), Scalar(0.5)}}) {
+        const EyeLight lights[] = {{true, {0, 0, 1}, {1, 1, 1}}, {true, {0, 0, 1}, color}};
+        EXPECT_FALSE(are_grey(lights));
+    }
+}
+
 TEST(Light, AHighlightDoesNotDependOnWhereTheSceneIsTurned) {
     hard::Random r(2);
     for (int i = 0; i < 1000; ++i) {
