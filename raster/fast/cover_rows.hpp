@@ -1,11 +1,15 @@
 // Coverage and depth of one triangle in one tile: a pixel a lane, row after row.
 //
 // Depth needs the edge values in double, where every one (below 2^49) is exact. Coverage asks for their signs
-// only: in int32 where they fit (max_small_extent), else in double; and not at all where no edge crosses the
-// part of the box at hand. Of large triangles only, whose rows are long, parts and pixels that the triangle
-// does not touch are passed over: in short rows a branch for that is guessed wrong too often.
+// only. From a pixel's centre to the next one an edge value changes by a multiple of 256, so
+//
+//   E >= bias   is   S >= 0   with   S = (E - bias) / 256, rounded down
+//
+// S is exact and fits int32: for small triangles anyway, and of large ones in parts of 64 x 64 pixels that
+// the edge crosses. Edges that cross no part, which are most, are not asked.
 #pragma once
 #include <algorithm>
+#include <cmath>
 
 #include "raster/fast/corners.hpp"
 #include "raster/fast/write_tile.hpp"
@@ -22,45 +26,36 @@ struct StoredSetup {
     std::int32_t bias0[lanes], bias1[lanes], bias2[lanes];
 };
 
-// How the pixels of a box are found to be covered.
-enum class Cover {
-    Int,     // edge values in int32
-    Double,  // edge values in double
-    All,     // no edge crosses it
-};
-
 // A part of a triangle's box, and the edge values at its first pixel.
 struct BoxPart {
     int x0, y0, x1, y1;  // within the tile
     double e1, e2;
 };
 
-// Rows of one triangle, a pixel a lane.
-template <Cover cover>
-RELEVO_LANE void cover_rows(const StoredSetup& s, int k, const BoxPart& box, std::uint32_t number,
-                            const Nearness& nearness, const TileMemory& tile) {
+// S of the three edges at the first pixel of a part, and how they change. Of an edge that does not cross it
+// all are 0.
+struct EdgeSigns {
+    std::int32_t first[3], across[3], down[3];
+};
+RELEVO_LANE EdgeSigns steps_of(const StoredSetup& s, int k) {
+    const std::int32_t dx1 = s.dx1[k], dy1 = s.dy1[k], dx2 = s.dx2[k], dy2 = s.dy2[k];
+    return {{0, 0, 0}, {dy1 - dy2, dy2, -dy1}, {dx2 - dx1, -dx2, dx1}};
+}
+
+// Rows of one triangle, a pixel a lane. Without `crossed` every pixel of the part is covered.
+template <bool crossed>
+RELEVO_LANE void cover_rows(const StoredSetup& s, int k, const BoxPart& box, const EdgeSigns& signs,
+                            std::uint32_t number, const Nearness& nearness, const TileMemory& tile) {
     const Interpolator plane{s.z0[k], s.g1[k], s.g2[k], 0, 0, 0};
     const double step1 = 256.0 * s.dy2[k], step2 = -256.0 * s.dy1[k];
     const Doubles across1(lanes * step1), across2(lanes * step2), down1(-256.0 * s.dx2[k]),
         down2(256.0 * s.dx1[k]);
     const Doubles lane = to_wide(lane_numbers());
     Doubles row1 = Doubles(box.e1) + lane * Doubles(step1), row2 = Doubles(box.e2) + lane * Doubles(step2);
-
-    // int32: values less their bias, so that covered means none is negative
-    const Ints bias0(s.bias0[k]), bias1(s.bias1[k]), bias2(s.bias2[k]);
-    const Doubles area = s.area[k], wide_bias0 = to_wide(bias0), wide_bias1 = to_wide(bias1),
-                  wide_bias2 = to_wide(bias2);
-    const auto as_int = [](std::int32_t d) { return cover == Cover::Int ? 256 * d : 0; };
-    const std::int32_t i_step1 = as_int(s.dy2[k]), i_step2 = -as_int(s.dy1[k]);
-    const Ints i_across1(lanes * i_step1), i_across2(lanes * i_step2), i_down1(-as_int(s.dx2[k])),
-        i_down2(as_int(s.dx1[k]));
-    Ints i_row0{}, i_row1{}, i_row2{};
-    if constexpr (cover == Cover::Int) {
-        const Ints e1 = Ints(static_cast<std::int32_t>(box.e1)) + lane_numbers() * Ints(i_step1),
-                   e2 = Ints(static_cast<std::int32_t>(box.e2)) + lane_numbers() * Ints(i_step2);
-        i_row1 = e1 - bias1, i_row2 = e2 - bias2;
-        i_row0 = Ints(static_cast<std::int32_t>(s.area[k])) - e1 - e2 - bias0;
-    }
+    const auto sign_row = [&](int j) {
+        return crossed ? Ints(signs.first[j]) + lane_numbers() * Ints(signs.across[j]) : Ints(0);
+    };
+    Ints sign_row0 = sign_row(0), sign_row1 = sign_row(1), sign_row2 = sign_row(2);
 
     const Ints numbers(static_cast<std::int32_t>(number));
     const int columns = box.x1 - box.x0 + 1, rows = box.y1 - box.y0 + 1;
@@ -70,70 +65,78 @@ RELEVO_LANE void cover_rows(const StoredSetup& s, int k, const BoxPart& box, std
     std::uint32_t* visible_row = keeps_visible ? tile.visible + box.y0 * tile.stride + box.x0 : nullptr;
     for (int y = 0; y < rows; ++y) {
         Doubles e1 = row1, e2 = row2;
-        Ints i0 = i_row0, i1 = i_row1, i2 = i_row2;
+        Ints sign0 = sign_row0, sign1 = sign_row1, sign2 = sign_row2;
         const auto group = [&](int x, Bools in_box) {
-            Bools seen = in_box;
-            if constexpr (cover == Cover::Int) {
-                seen = seen && !is_negative(i0 | i1 | i2);
-            }
-            if constexpr (cover == Cover::Double) {
-                seen = seen && !is_negative(upper_words(area - e1 - e2 - wide_bias0) |
-                                            upper_words(e1 - wide_bias1) | upper_words(e2 - wide_bias2));
-                if (!any(seen)) return;
-            }
             const Floats z = nearness(depth<Floats>(plane, {0.0, e1, e2}));
-            const Floats stored = load(near_row + x);
-            seen = seen && z > stored;
-            store(select(seen, z, stored), near_row + x);
-            if (keeps_visible) store(select(seen, numbers, load(visible_row + x)), visible_row + x);
+            Bools seen = in_box && z > load(near_row + x);
+            if constexpr (crossed) seen = seen && !is_negative(sign0 | sign1 | sign2);
+            store_where(seen, z, near_row + x);
+            if (keeps_visible) store_where(seen, numbers, visible_row + x);
         };
         int x = 0;
         for (; x + lanes < columns; x += lanes) {
             group(x, all_lanes());
             e1 = e1 + across1, e2 = e2 + across2;
-            if constexpr (cover == Cover::Int)
-                i1 = i1 + i_across1, i2 = i2 + i_across2, i0 = i0 - i_across1 - i_across2;
+            if constexpr (crossed) {
+                const auto next = [&](Ints& sign, int j) { sign = sign + Ints(lanes * signs.across[j]); };
+                next(sign0, 0), next(sign1, 1), next(sign2, 2);
+            }
         }
         group(x, last_columns);
         row1 = row1 + down1, row2 = row2 + down2;
-        if constexpr (cover == Cover::Int)
-            i_row1 = i_row1 + i_down1, i_row2 = i_row2 + i_down2, i_row0 = i_row0 - i_down1 - i_down2;
+        if constexpr (crossed) {
+            const auto below = [&](Ints& sign, int j) { sign = sign + Ints(signs.down[j]); };
+            below(sign_row0, 0), below(sign_row1, 1), below(sign_row2, 2);
+        }
         near_row += tile.stride;
         if (keeps_visible) visible_row += tile.stride;
     }
 }
 
-// The part of a large triangle, the cheapest way that is exact.
+// A part of a large triangle. S is 0 somewhere in it if the edge crosses it, so that it is nowhere larger
+// than what it changes by from corner to corner.
+inline constexpr int part_side = 64;
+inline constexpr std::int64_t largest_difference = std::int64_t{2 * 7 * 128} * 8192;  // within the guard band
+static_assert((part_side - 1) * 2 * largest_difference < std::int64_t{1} << 31);
 RELEVO_LANE void cover_part(const StoredSetup& s, int k, const BoxPart& box, std::uint32_t number,
                             const Nearness& nearness, const TileMemory& tile) {
-    const double width = box.x1 - box.x0, height = box.y1 - box.y0;
-    const double step1 = 256.0 * s.dy2[k], step2 = -256.0 * s.dy1[k], down1 = -256.0 * s.dx2[k],
-                 down2 = 256.0 * s.dx1[k];
-    bool touches = true, crosses = false;  // the box
-    const auto edge = [&](double e, double step, double down, double bias) {
-        const double across = step * width, along = down * height;
-        touches = touches && e + (across > 0 ? across : 0) + (along > 0 ? along : 0) >= bias;
-        crosses = crosses || e + (across < 0 ? across : 0) + (along < 0 ? along : 0) < bias;
+    const int width = box.x1 - box.x0, height = box.y1 - box.y0;
+    EdgeSigns signs = steps_of(s, k);
+    bool crossed = false;
+    // Whether any of the part may be covered.
+    const auto touches = [&](int j, double e) {
+        const double across = 256.0 * signs.across[j] * width, down = 256.0 * signs.down[j] * height;
+        if (e + (across > 0 ? across : 0) + (down > 0 ? down : 0) < 0) return false;
+        if (e + (across < 0 ? across : 0) + (down < 0 ? down : 0) < 0) {
+            crossed = true;
+            signs.first[j] = static_cast<std::int32_t>(std::floor(e * (1 / 256.0)));
+        } else {
+            signs.across[j] = signs.down[j] = 0;
+        }
+        return true;
     };
-    edge(s.area[k] - box.e1 - box.e2, -step1 - step2, -down1 - down2, s.bias0[k]);
-    edge(box.e1, step1, down1, s.bias1[k]);
-    edge(box.e2, step2, down2, s.bias2[k]);
-    if (!touches) return;
-    if (crosses)
-        cover_rows<Cover::Double>(s, k, box, number, nearness, tile);
+    if (!touches(0, s.area[k] - box.e1 - box.e2 - s.bias0[k]) || !touches(1, box.e1 - s.bias1[k]) ||
+        !touches(2, box.e2 - s.bias2[k]))
+        return;
+    if (crossed)
+        cover_rows<true>(s, k, box, signs, number, nearness, tile);
     else
-        cover_rows<Cover::All>(s, k, box, number, nearness, tile);
+        cover_rows<false>(s, k, box, signs, number, nearness, tile);
 }
 
 // The rows of triangle k. Of a large one the box is taken in parts: fewer of them are crossed by an edge.
-inline constexpr int part_side = 64;
 RELEVO_LANE void cover_triangle(const StoredSetup& s, int k, bool small, std::uint32_t number,
                                 const Nearness& nearness, const TileMemory& tile) {
     const double px = s.left[k], py = s.above[k];
     // + 0.0: an edge value of 0 is +0, as a whole number's is
     const double e1 = (px * s.dy2[k] - py * s.dx2[k]) + 0.0, e2 = (s.dx1[k] * py - s.dy1[k] * px) + 0.0;
     const int x0 = s.x0[k], y0 = s.y0[k], x1 = s.x1[k], y1 = s.y1[k];
-    if (small) return cover_rows<Cover::Int>(s, k, {x0, y0, x1, y1, e1, e2}, number, nearness, tile);
+    if (small) {
+        EdgeSigns signs = steps_of(s, k);
+        const double e[3] = {s.area[k] - e1 - e2 - s.bias0[k], e1 - s.bias1[k], e2 - s.bias2[k]};
+        for (int j = 0; j < 3; ++j) signs.first[j] = static_cast<std::int32_t>(e[j]) >> 8;
+        return cover_rows<true>(s, k, {x0, y0, x1, y1, e1, e2}, signs, number, nearness, tile);
+    }
     for (int y = y0, last_y; y <= y1; y = last_y + 1) {
         last_y = std::min(y | (part_side - 1), y1);
         for (int x = x0, last_x; x <= x1; x = last_x + 1) {

@@ -161,6 +161,7 @@ RELEVO_LANE Ints max(Ints a, Ints b) { return Ints(hn::Max(a.v, b.v)); }
 RELEVO_LANE Ints select(Bools mask, Ints yes, Ints no) {
     return Ints(hn::IfThenElse(int_mask(mask), yes.v, no.v));
 }
+RELEVO_LANE int first_lane(Ints a) { return hn::GetLane(a.v); }
 RELEVO_LANE int largest(Ints a) { return hn::GetLane(hn::MaxOfLanes(TagI(), a.v)); }
 RELEVO_LANE Bools is_negative(Ints a) { return a < Ints(0); }
 RELEVO_LANE Words operator+(Words a, Words b) { return Words(hn::Add(a.v, b.v)); }
@@ -170,6 +171,8 @@ RELEVO_LANE Words operator&(Words a, Words b) { return Words(hn::And(a.v, b.v));
 RELEVO_LANE Words operator|(Words a, Words b) { return Words(hn::Or(a.v, b.v)); }
 RELEVO_LANE Words operator<<(Words a, int by) { return Words(hn::ShiftLeftSame(a.v, by)); }
 RELEVO_LANE Words operator>>(Words a, int by) { return Words(hn::ShiftRightSame(a.v, by)); }
+// Of each four lanes the first.
+RELEVO_LANE Ints first_of_four(Ints a) { return Ints(hn::Broadcast<0>(a.v)); }
 RELEVO_LANE Ints lane_numbers() { return Ints(hn::Iota(TagI(), 0)); }  // 0 1 2 ... N-1
 
 // ------------------------------------------------------------------------------------------------ doubles
@@ -362,6 +365,21 @@ RELEVO_LANE void store(Ints a, std::uint32_t* p) { hn::StoreU(hn::BitCast(TagU()
 RELEVO_LANE void store(Doubles a, double* p) {
     hn::StoreU(a.low, TagD(), p);
     hn::StoreU(a.high, TagD(), p + lanes / 2);
+}
+// The lanes of `mask`. The others' memory may be written, too, as it is.
+RELEVO_LANE void store_where(Bools mask, Floats a, float* p) {
+#if HWY_TARGET == HWY_AVX3
+    _mm512_mask_storeu_ps(p, mask.m.raw, a.v.raw);
+#else
+    store(select(mask, a, load(p)), p);
+#endif
+}
+RELEVO_LANE void store_where(Bools mask, Ints a, std::uint32_t* p) {
+#if HWY_TARGET == HWY_AVX3
+    _mm512_mask_storeu_epi32(p, mask.m.raw, a.v.raw);
+#else
+    store(select(mask, a, load(p)), p);
+#endif
 }
 // Four numbers of each lane side by side, or eight: a0 a1 .. of lane 0 | of lane 1 | ...
 RELEVO_LANE void store_fours(const Floats* a, float* p) {
