@@ -37,7 +37,7 @@ struct WorkerMemory {
     Buffer<Scalar> nearness;
     Buffer<std::uint32_t> visible, color, ids, fragment_place;
     Buffer<std::int32_t> fragment_e1, fragment_e2;
-    Buffer<std::byte> kept, fragment_groups;
+    Buffer<std::byte> kept, waiting, fragment_groups;
     TileScratch scratch;
     std::uint64_t shaded_pixels = 0;
 };
@@ -72,7 +72,7 @@ std::size_t Workspace::bytes() const {
         sum += c.lists.bytes() + c.words.bytes() + bytes_of(c.wide) + bytes_of(c.names) + bytes_of(c.pieces);
     for (const WorkerMemory& w : memory_->workers)
         sum += w.nearness.bytes() + w.visible.bytes() + w.color.bytes() + w.ids.bytes() + w.kept.bytes() +
-               w.fragment_place.bytes() + w.fragment_e1.bytes() + w.fragment_e2.bytes() +
+               w.waiting.bytes() + w.fragment_place.bytes() + w.fragment_e1.bytes() + w.fragment_e2.bytes() +
                w.fragment_groups.bytes();
     return sum + bytes_of(memory_->models) + bytes_of(memory_->chunks) + bytes_of(memory_->workers) +
            bytes_of(memory_->touched) + bytes_of(memory_->empty) + bytes_of(memory_->states) +
@@ -377,6 +377,7 @@ class FastDraw {
                                        shows_one_color(draw_) ? nullptr : worker.visible.room_for(pixels),
                                        worker.color.room_for(pixels)},
                               .kept = worker.kept.room_for(kept_bytes),
+                              .waiting = worker.waiting.room_for(waiting_bytes),
                               .fragments = {.place = worker.fragment_place.room_for(with_slack),
                                             .e1 = worker.fragment_e1.room_for(with_slack),
                                             .e2 = worker.fragment_e2.room_for(with_slack),
@@ -438,7 +439,7 @@ class FastDraw {
 
 Counts draw(const Scene& scene, const Settings& settings, Frame& frame, Workspace& workspace,
             const Options& options) {
-    assert(options.tile == 32 || options.tile == 64 || options.tile == 128);
+    assert(options.tile == 32 || options.tile == 64 || options.tile == max_tile);
     return FastDraw(scene, settings, frame, workspace.memory(), options).run();
 }
 

@@ -15,14 +15,14 @@
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
 struct SetupGroup {
-    double edges[7][lanes];              // e1, across1, down1, e2, across2, down2, area
+    alignas(64) double edges[7][lanes];  // e1, across1, down1, e2, across2, down2, area
     std::int32_t small_edges[7][lanes];  // the same, mod 2^32
-    bool small;                          // all triangles are
     float rw[3][lanes];
     float plane[max_carried][3][lanes];  // a0, d1, d2 of each number that is carried
     float face[6][lanes];                // amount, gloss
     float color[3][lanes];               // where nothing is carried: of every pixel
     std::uint32_t packed[lanes], model[lanes];
+    bool small;  // all triangles are
 };
 
 struct KeptSetups {
@@ -34,6 +34,7 @@ struct KeptSetups {
         static_assert(slots * sizeof(SetupGroup) <= kept_bytes);
         for (std::uint32_t k = 0; k < slots; k += lanes) store(Ints(-1), tag + k);
     }
+    RELEVO_LANE const SetupGroup& group(std::uint32_t number) const { return groups[number % slots]; }
     RELEVO_LANE bool holds(std::uint32_t group) const { return tag[group % slots] == group; }
 };
 

@@ -2,13 +2,12 @@
 //
 //   group   its triangles are set up together, a lane each
 //   seen    a fragment is, where the visibility buffer shows its triangle
-//   lanes   each fragment takes what it needs from the lane of its triangle; then weights, light, texture and
-//           output run once for N of them
+//   lanes   each fragment takes what it needs from the lane of its triangle, and gets its weights; then N of
+//           them wait for light (waiting_light.hpp)
 #pragma once
 #include "raster/fast/fragment_groups.hpp"
 #include "raster/fast/shade_setup.hpp"
-#include "raster/fast/tile_at.hpp"
-#include "raster/fast/twice.hpp"
+#include "raster/fast/waiting_light.hpp"
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
@@ -28,12 +27,6 @@ RELEVO_LANE FragmentsAt fragments_at(const Fragments& f, int k, int end) {
             f.place + k};
 }
 
-// What reaches the pixels of one model from their triangles.
-template <class P>
-struct PixelNumbers {
-    std::array<Floats, P::size> carried;
-    LaneFace<P> face;
-};
 template <class P>
 RELEVO_LANE PixelNumbers<P> pixel_numbers(const FragmentGroup& group, const LaneSetup<P>& s,
                                           const FragmentsAt& f) {
@@ -58,23 +51,6 @@ RELEVO_LANE PixelNumbers<P> pixel_numbers(const FragmentGroup& group, const Lane
     return n;
 }
 
-// The colours of the fragments in `which` to their places.
-RELEVO_LANE void write_fragments(const TileAt& at, const RgbOf<Floats>& c, Words packed,
-                                 const std::uint32_t* place, std::uint32_t which) {
-    alignas(64) std::uint32_t colors[lanes];
-    store(to_whole(packed), colors);
-    std::uint32_t* to = at.scratch.tile.color;
-    if (which == all_bits) {
-        for (int k = 0; k < lanes; ++k) to[place[k] & 0xffff] = colors[k];
-    } else {
-        for (std::uint32_t rest = which; rest != 0; rest &= rest - 1) {
-            const int k = std::countr_zero(rest);
-            to[place[k] & 0xffff] = colors[k];
-        }
-    }
-    if (at.draw.linear != nullptr) write_linear(at, c, place, which);
-}
-
 // Asks for what the corners carry, which stands all over memory.
 RELEVO_LANE void prefetch_carried(const FragmentGroup& group) {
     if (group.model == nullptr || group.model->carried == nullptr) return;
@@ -84,12 +60,10 @@ RELEVO_LANE void prefetch_carried(const FragmentGroup& group) {
 }
 
 // The pixels of the group's triangles `which`, which are of one model. `ids`: of these in their lanes.
-template <class P>
-RELEVO_LANE void shade_group(const TileAt& at, const ModelState& model, const FragmentGroup& group,
-                             const LaneIds& ids, std::uint32_t which, bool all) {
+template <template <bool> class Program, class P>
+RELEVO_LANE void shade_group(const TileAt& at, WaitingPixels& waiting, const ModelState& model,
+                             const FragmentGroup& group, const LaneIds& ids, std::uint32_t which, bool all) {
     const Fragments& fragments = at.scratch.fragments;
-    const Surface& surface = model.setup.surface;
-    const Output output = at.draw.settings.output;
     std::array<Ints, 3> corner{load(group.corner[0]), load(group.corner[1]), load(group.corner[2])};
     if (group.model == nullptr) corner = vertices_of(model, ids);
     const Bools negative = from_bits(group.negative);
@@ -102,25 +76,10 @@ RELEVO_LANE void shade_group(const TileAt& at, const ModelState& model, const Fr
         if (all) return bits(f.valid);
         return bits(f.valid & is_negative(f.of_triangle(select(from_bits(which), Ints(-1), Ints(0)))));
     };
-    int k = group.first;
-    if constexpr (!is_lit_at_once<P> && !P::needs_face) {  // light runs for two registers at once: twice.hpp
-        for (; k + lanes < group.last; k += 2 * lanes) {
-            const FragmentsAt f = fragments_at(fragments, k, group.last),
-                              g = fragments_at(fragments, k + lanes, group.last);
-            const PixelNumbers<P> of_f = pixel_numbers<P>(group, s, f), of_g = pixel_numbers<P>(group, s, g);
-            std::array<Floats2, P::size> carried;
-            for (std::size_t j = 0; j < P::size; ++j) carried[j] = {of_f.carried[j], of_g.carried[j]};
-            const RgbOf<Floats2> c = P::template pixel<Floats2>(surface, {}, carried.data());
-            const Twice<Words> packed = packed_rgba8<Floats2>(c, output);
-            write_fragments(at, {c.r.a, c.g.a, c.b.a}, packed.a, f.place, shown_by(f));
-            write_fragments(at, {c.r.b, c.g.b, c.b.b}, packed.b, g.place, shown_by(g));
-        }
-    }
-    for (; k < group.last; k += lanes) {
+    for (int k = group.first; k < group.last; k += lanes) {
         const FragmentsAt f = fragments_at(fragments, k, group.last);
-        const PixelNumbers<P> n = pixel_numbers<P>(group, s, f);
-        const RgbOf<Floats> c = P::template pixel<Floats>(surface, n.face, n.carried.data());
-        write_fragments(at, c, packed_rgba8<Floats>(c, output), f.place, shown_by(f));
+        light<Program, P>(at, waiting, model, pixel_numbers<P>(group, s, f),
+                          FragmentsTo{f.place, shown_by(f)});
     }
 }
 
@@ -131,6 +90,7 @@ template <template <bool> class Program>
     // As many as pixels that show one: then every one is seen, for each pixel shows one alone.
     if (covered != fragments.kept) drop_hidden(at.scratch.tile, fragments);
     const FragmentGroup* groups = groups_of(fragments);
+    WaitingPixels& waiting = nobody_waits(at.scratch);
     for (int g = 0; g < fragments.group_count; ++g) {
         const FragmentGroup& group = groups[g];
         if (g + 2 < fragments.group_count) prefetch_carried(groups[g + 2]);
@@ -140,10 +100,11 @@ template <template <bool> class Program>
                        [&](std::uint32_t number, std::uint32_t which, const LaneIds& ids) RELEVO_INSIDE {
                            const ModelState& model = at.draw.models[number];
                            with_texture<Program>(model, [&]<class P>(P) RELEVO_INSIDE {
-                               shade_group<P>(at, model, group, ids, which, which == all);
+                               shade_group<Program, P>(at, waiting, model, group, ids, which, which == all);
                            });
                        });
     }
+    light_waiting<Program>(at, waiting);
     return static_cast<std::uint64_t>(fragments.kept);
 }
 

@@ -9,10 +9,16 @@
 
 namespace relevo::raster::fast {
 
+inline constexpr int max_tile = 128;
+struct TileBox {
+    int x0, y0, width, height;  // pixels of the picture
+};
+
 // Tiles that nothing touches, to be written as background between other work.
 struct Background {
     const int* tiles = nullptr;
     int count = 0, row = 0;  // of tiles; of the first one: rows that are written
+    TileBox box{};           // of the first one, once a row is written
 };
 
 // The memory of one worker for one tile at a time.
@@ -20,11 +26,13 @@ struct TileScratch {
     TileMemory tile;
     std::uint32_t* ids = nullptr;  // the tile's list; room for first_block ids more
     std::byte* kept = nullptr;     // set-ups of triangles for shading, kept_bytes
+    std::byte* waiting = nullptr;  // pixels that wait for light, waiting_bytes
     Background background{};       // is empty when the tile is done
     Fragments fragments{};
     bool in_blocks = true;  // whether triangles are drawn whose fragments are not kept
 };
-inline constexpr std::size_t kept_triangles = 2048, kept_bytes = kept_triangles * 240;
+inline constexpr std::size_t kept_triangles = 2048, kept_bytes = kept_triangles * 240,
+                             waiting_bytes = 25 << 10;
 
 struct Stages {
     // Vertices first..last-1 of a model, `first` a multiple of 16: window and carried numbers.

@@ -16,10 +16,6 @@ RELEVO_LANE void with_texture(const ModelState& model, Use&& use) {
     model.textured ? use(Program<true>{}) : use(Program<false>{});
 }
 
-// Gouraud's colours are there once they are interpolated: nothing to wait for.
-template <class P>
-inline constexpr bool is_lit_at_once = std::is_same_v<P, Gouraud<false>>;
-
 struct TileAt {
     const DrawState& draw;
     TileScratch& scratch;
@@ -36,18 +32,6 @@ struct TileAt {
 RELEVO_LANE pipeline::LinearRgb* linear_at(const TileAt& at, int row, int column) {
     return at.draw.linear + std::size_t(at.box.y0 + row) * std::size_t(at.draw.viewport.width) + at.box.x0 +
            column;
-}
-
-// Of the lanes in `which`; place: where each stands in the tile, and above bit 16 anything.
-[[gnu::noinline]] static void write_linear(const TileAt& at, const RgbOf<Floats>& c,
-                                           const std::uint32_t* place, std::uint32_t which) {
-    alignas(64) float rgb[3][lanes];
-    store(c.r, rgb[0]), store(c.g, rgb[1]), store(c.b, rgb[2]);
-    const int stride = at.scratch.tile.stride;
-    for (; which != 0; which &= which - 1) {
-        const int k = std::countr_zero(which), place_of = static_cast<int>(place[k] & 0xffff);
-        *linear_at(at, place_of / stride, place_of % stride) = {rgb[0][k], rgb[1][k], rgb[2][k]};
-    }
 }
 
 }  // namespace relevo::raster::fast::HWY_NAMESPACE

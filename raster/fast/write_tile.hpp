@@ -13,9 +13,6 @@
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
-struct TileBox {
-    int x0, y0, width, height;  // pixels of the picture
-};
 RELEVO_LANE TileBox tile_box(const DrawState& draw, int number) {
     const int x0 = number % draw.tiles_across * draw.tile, y0 = number / draw.tiles_across * draw.tile;
     return {x0, y0, std::min(draw.tile, draw.viewport.width - x0),
@@ -77,7 +74,8 @@ RELEVO_LANE void write_tile_row(const DrawState& draw, const TileScratch& scratc
 // The next row of the tiles that nothing touches, if there is one.
 RELEVO_LANE void write_background_row(const DrawState& draw, Background& background) {
     if (background.count == 0) return;
-    const TileBox box = tile_box(draw, *background.tiles);
+    if (background.row == 0) background.box = tile_box(draw, *background.tiles);
+    const TileBox& box = background.box;
     const Ints color(std::bit_cast<std::int32_t>(draw.background8));
     const Ints depth(std::bit_cast<std::int32_t>(cleared_depth(draw.settings.depth)));
     const std::size_t at =

@@ -253,8 +253,8 @@ std::string difference(const Subject& s, const Picture& right, InstructionSet se
     const Scalar cleared = cleared_depth(state.draw.settings.depth);
     std::vector<Scalar> nearness(pixels);
     std::vector<std::uint32_t> visible(pixels), band(pixels);
-    std::vector<std::byte> kept(kept_bytes + 64);
-    auto* const kept_line = kept.data() + (64 - reinterpret_cast<std::uintptr_t>(kept.data()) % 64) % 64;
+    std::vector<std::byte> memory(kept_bytes + waiting_bytes + 64);
+    auto* const kept = memory.data() + (64 - reinterpret_cast<std::uintptr_t>(memory.data()) % 64) % 64;
     std::uint64_t shaded = 0, shown = 0;
     for (int tile = 0; tile < state.draw.tiles_across * state.draw.tiles_down; ++tile) {
         const int x0 = tile % state.draw.tiles_across * tile_size,
@@ -270,7 +270,8 @@ std::string difference(const Subject& s, const Picture& right, InstructionSet se
                 ++shown;
             }
         std::uint32_t* const shown_by = shows_one_color(state.draw) ? nullptr : visible.data();
-        TileScratch scratch{{stride, nearness.data(), shown_by, band.data()}, ids.data(), kept_line, {}};
+        TileScratch scratch{
+            {stride, nearness.data(), shown_by, band.data()}, ids.data(), kept, kept + kept_bytes};
         shaded += shade_tile_of(set)(state.draw, scratch, listed, tile);
     }
     for (int y = 0; y < s.height; ++y)
