@@ -8,12 +8,12 @@
 //
 // No branch asks whether a step covers anything: guessed wrong, it costs more than the work of an empty one.
 #pragma once
-#include "raster/fast/cover_rows.hpp"
+#include "raster/fast/cover_strips.hpp"
 #include "raster/fast/fragment_groups.hpp"
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
-// Boxes of more places are walked slower than their rows are drawn.
+// Boxes of more places are walked slower than their strips are drawn.
 inline constexpr int most_walked = 12 * lanes;
 
 // Edge values at the first centre of each box, in int32, and how they change.

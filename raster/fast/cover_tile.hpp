@@ -5,12 +5,12 @@
 //              kept_bit)
 //
 // Set-up is N triangles at a time, a lane each; then small ones together (cover_boxes.hpp) and others alone
-// (cover_rows.hpp), all exactly as the textbook path. Groups, and triangles of rows, are drawn in
+// (cover_strips.hpp), all exactly as the textbook path. Groups, and triangles in strips, are drawn in
 // their order, so that strict comparison keeps the first of equal depths; within a group of boxes the number
 // decides.
 #pragma once
 #include "raster/fast/cover_boxes.hpp"
-#include "raster/fast/cover_rows.hpp"
+#include "raster/fast/cover_strips.hpp"
 #include "raster/fast/read_bins.hpp"
 #include "raster/fast/stages.hpp"
 

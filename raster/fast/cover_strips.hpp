@@ -1,4 +1,9 @@
-// Coverage and depth of one triangle in one tile: a pixel a lane, row after row.
+// Coverage and depth of one triangle in one tile, in strips of N columns: a pixel a lane.
+//
+//        x0              x1
+//   | . . . / | - - - \ | . . . . |     strips begin where registers do, so that none reaches over two
+//   | . . / - | - - - - | \ . . . |     lines of the cache; each has rows of its own, the first and the last
+//   | . / - - | - - - - | - \ . . |     that an edge may leave covered
 //
 // Depth needs the edge values in double, where every one (below 2^49) is exact. Coverage asks for their signs
 // only. From a pixel's centre to the next one an edge value changes by a multiple of 256, so
@@ -6,7 +11,7 @@
 //   E >= bias   is   S >= 0   with   S = (E - bias) / 256, rounded down
 //
 // S is exact and fits int32: for small triangles anyway, and of large ones in parts of 64 x 64 pixels that
-// the edge crosses. Edges that cross no part, which are most, are not asked.
+// the edge crosses. Edges that do not cross the part are not asked.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -42,54 +47,84 @@ RELEVO_LANE EdgeSigns steps_of(const StoredSetup& s, int k) {
     return {{0, 0, 0}, {dy1 - dy2, dy2, -dy1}, {dx2 - dx1, -dx2, dx1}};
 }
 
-// Rows of one triangle, a pixel a lane. Without `crossed` every pixel of the part is covered.
-template <bool crossed>
-RELEVO_LANE void cover_rows(const StoredSetup& s, int k, const BoxPart& box, const EdgeSigns& signs,
-                            std::uint32_t number, const Nearness& nearness, const TileMemory& tile) {
-    const Interpolator plane{s.z0[k], s.g1[k], s.g2[k], 0, 0, 0};
-    const double step1 = 256.0 * s.dy2[k], step2 = -256.0 * s.dy1[k];
-    const Doubles across1(lanes * step1), across2(lanes * step2), down1(-256.0 * s.dx2[k]),
-        down2(256.0 * s.dx1[k]);
-    const Doubles lane = to_wide(lane_numbers());
-    Doubles row1 = Doubles(box.e1) + lane * Doubles(step1), row2 = Doubles(box.e2) + lane * Doubles(step2);
-    const auto sign_row = [&](int j) {
-        return crossed ? Ints(signs.first[j]) + lane_numbers() * Ints(signs.across[j]) : Ints(0);
-    };
-    Ints sign_row0 = sign_row(0), sign_row1 = sign_row(1), sign_row2 = sign_row(2);
+// The rows of a strip that an edge may leave covered: those where S at the strip's best pixel is 0 or more.
+//   S + y down >= 0   is   y >= S (-1 / down)   or, where down < 0,   y <= S (-1 / down)
+// The quotients are not exact, so that a row too many may be there: never one too few.
+struct StripRows {
+    double least[3], most[3], all[3], last;
 
+    RELEVO_LANE StripRows(const EdgeSigns& signs, int rows) : last(rows - 1) {
+        for (int j = 0; j < 3; ++j) {
+            const double down = signs.down[j], quotient = -1 / (down == 0 ? 1e-300 : down);
+            const bool from = down >= 0;
+            least[j] = from ? quotient : 0;
+            most[j] = from ? 0 : quotient, all[j] = from ? rows : 0;
+        }
+    }
+    // column: of the strip's first pixel, from the part's first one. Empty where first > last.
+    RELEVO_LANE void find(const EdgeSigns& signs, int column, int& first_row, int& last_row) const {
+        double from = 0, to = last;
+        for (int j = 0; j < 3; ++j) {
+            const double across = signs.across[j],
+                         s = signs.first[j] + column * across + (across > 0 ? (lanes - 1) * across : 0);
+            from = std::max(from, s * least[j]);
+            to = std::min(to, s * most[j] + all[j]);
+        }
+        constexpr double slack = 1e-6;
+        first_row = static_cast<int>(std::min(from, last + 1) + (1 - slack));
+        last_row = static_cast<int>(std::max(to, -1.0) + (1 + slack)) - 1;
+    }
+};
+
+// One triangle in strips of N columns, a pixel a lane, row after row. Without `crossed` every pixel of the
+// part is covered.
+template <bool crossed>
+RELEVO_LANE void cover_strips(const StoredSetup& s, int k, const BoxPart& box, const EdgeSigns& signs,
+                              std::uint32_t number, const Nearness& nearness, const TileMemory& tile) {
+    const Interpolator plane{s.z0[k], s.g1[k], s.g2[k], 0, 0, 0};
+    const double step1 = 256.0 * s.dy2[k], step2 = -256.0 * s.dy1[k], down1 = -256.0 * s.dx2[k],
+                 down2 = 256.0 * s.dx1[k];
+    const Doubles lane = to_wide(lane_numbers());
+    const Doubles lane1 = lane * step1, lane2 = lane * step2;
+    const auto of_lanes = [&](int j) { return lane_numbers() * Ints(signs.across[j]); };
+    const Ints lane_sign0 = of_lanes(0), lane_sign1 = of_lanes(1), lane_sign2 = of_lanes(2);
     const Ints numbers(static_cast<std::int32_t>(number));
-    const int columns = box.x1 - box.x0 + 1, rows = box.y1 - box.y0 + 1;
-    const Bools last_columns = first_lanes((columns - 1) % lanes + 1);
-    float* near_row = tile.nearness + box.y0 * tile.stride + box.x0;
     const bool keeps_visible = tile.visible != nullptr;
-    std::uint32_t* visible_row = keeps_visible ? tile.visible + box.y0 * tile.stride + box.x0 : nullptr;
-    for (int y = 0; y < rows; ++y) {
-        Doubles e1 = row1, e2 = row2;
-        Ints sign0 = sign_row0, sign1 = sign_row1, sign2 = sign_row2;
-        const auto group = [&](int x, Bools in_box) {
-            const Floats z = nearness(depth<Floats>(plane, {0.0, e1, e2}));
-            Bools seen = in_box && z > load(near_row + x);
-            if constexpr (crossed) seen = seen && !is_negative(sign0 | sign1 | sign2);
-            store_where(seen, z, near_row + x);
-            if (keeps_visible) store_where(seen, numbers, visible_row + x);
-        };
-        int x = 0;
-        for (; x + lanes < columns; x += lanes) {
-            group(x, all_lanes());
-            e1 = e1 + across1, e2 = e2 + across2;
-            if constexpr (crossed) {
-                const auto next = [&](Ints& sign, int j) { sign = sign + Ints(lanes * signs.across[j]); };
-                next(sign0, 0), next(sign1, 1), next(sign2, 2);
-            }
-        }
-        group(x, last_columns);
-        row1 = row1 + down1, row2 = row2 + down2;
+    const StripRows strip_rows(signs, box.y1 - box.y0 + 1);
+    for (int x = box.x0 / lanes * lanes; x <= box.x1; x += lanes) {
+        const int column = x - box.x0;
+        int first_row = 0, last_row = box.y1 - box.y0;
         if constexpr (crossed) {
-            const auto below = [&](Ints& sign, int j) { sign = sign + Ints(signs.down[j]); };
-            below(sign_row0, 0), below(sign_row1, 1), below(sign_row2, 2);
+            strip_rows.find(signs, column, first_row, last_row);
+            if (first_row > last_row) continue;
         }
-        near_row += tile.stride;
-        if (keeps_visible) visible_row += tile.stride;
+        // mod 2^32: a strip may begin before the part, where S needs not fit
+        const auto sign = [&](int j, Ints of_lane) {
+            const auto word = [](std::int32_t a) { return static_cast<std::uint32_t>(a); };
+            return of_lane + Ints(static_cast<std::int32_t>(word(signs.first[j]) +
+                                                            word(column) * word(signs.across[j]) +
+                                                            word(first_row) * word(signs.down[j])));
+        };
+        Ints sign0 = sign(0, lane_sign0), sign1 = sign(1, lane_sign1), sign2 = sign(2, lane_sign2);
+        Doubles e1 = lane1 + (box.e1 + (column * step1 + first_row * down1)),
+                e2 = lane2 + (box.e2 + (column * step2 + first_row * down2));
+        const Ints place = Ints(x) + lane_numbers();
+        const Bools in_box = !(place < Ints(box.x0)) && !(place > Ints(box.x1));
+        const int at = (box.y0 + first_row) * tile.stride + x;
+        float* near = tile.nearness + at;
+        std::uint32_t* visible = keeps_visible ? tile.visible + at : nullptr;
+        for (int y = first_row; y <= last_row; ++y) {
+            const Floats z = nearness(depth<Floats>(plane, {0.0, e1, e2}));
+            Bools seen = in_box && z > load(near);
+            if constexpr (crossed) seen = seen && !is_negative(sign0 | sign1 | sign2);
+            store_where(seen, z, near);
+            if (keeps_visible) store_where(seen, numbers, visible), visible += tile.stride;
+            near += tile.stride;
+            e1 = e1 + down1, e2 = e2 + down2;
+            if constexpr (crossed)
+                sign0 = sign0 + Ints(signs.down[0]), sign1 = sign1 + Ints(signs.down[1]),
+                sign2 = sign2 + Ints(signs.down[2]);
+        }
     }
 }
 
@@ -119,9 +154,9 @@ RELEVO_LANE void cover_part(const StoredSetup& s, int k, const BoxPart& box, std
         !touches(2, box.e2 - s.bias2[k]))
         return;
     if (crossed)
-        cover_rows<true>(s, k, box, signs, number, nearness, tile);
+        cover_strips<true>(s, k, box, signs, number, nearness, tile);
     else
-        cover_rows<false>(s, k, box, signs, number, nearness, tile);
+        cover_strips<false>(s, k, box, signs, number, nearness, tile);
 }
 
 // The rows of triangle k. Of a large one the box is taken in parts: fewer of them are crossed by an edge.
@@ -135,7 +170,7 @@ RELEVO_LANE void cover_triangle(const StoredSetup& s, int k, bool small, std::ui
         EdgeSigns signs = steps_of(s, k);
         const double e[3] = {s.area[k] - e1 - e2 - s.bias0[k], e1 - s.bias1[k], e2 - s.bias2[k]};
         for (int j = 0; j < 3; ++j) signs.first[j] = static_cast<std::int32_t>(e[j]) >> 8;
-        return cover_rows<true>(s, k, {x0, y0, x1, y1, e1, e2}, signs, number, nearness, tile);
+        return cover_strips<true>(s, k, {x0, y0, x1, y1, e1, e2}, signs, number, nearness, tile);
     }
     for (int y = y0, last_y; y <= y1; y = last_y + 1) {
         last_y = std::min(y | (part_side - 1), y1);
