@@ -62,7 +62,8 @@ struct Lighting {
     bool grey = false;   // are_grey(lights); false is right for any lights, and slower
 };
 
-// Whether each light's channels are the same. Then those of the sums are, and one is computed for all three.
+// Whether each light's channels are the same. Then those of the sums are, too (but for the sign of a zero),
+// and one is computed for all three.
 inline bool are_grey(std::span<const EyeLight> lights) {
     for (const EyeLight& light : lights)
         if (light.color.r != light.color.g || light.color.g != light.color.b) return false;

@@ -1,10 +1,8 @@
 // The perspective weights of a block's pixels, and the planes they weigh, from kept set-ups
 // (kept_setups.hpp).
 //
-//   one triangle   edge values at the pixels of the tile's first block; further on the same number is added
-//   to
-//                  all of them
-//   mixed          each lane takes the planes of the triangle that it shows, and puts its own pixel in
+//   one triangle   edge values at the pixels of the tile's first block, and one sum for all of them further
+//   on mixed          each lane takes the planes of the triangle that it shows, and puts its own pixel in
 #pragma once
 #include "raster/fast/kept_setups.hpp"
 #include "raster/fast/twice.hpp"
@@ -64,10 +62,10 @@ struct OneTriangle {
     double across1, down1, across2, down2, area, rw0, rw1, rw2;
     KeptSetup setup;
 
-    OneTriangle() = default;
-    RELEVO_LANE explicit OneTriangle(const KeptSetup& kept) : setup(kept) {
-        const SetupGroup& g = *kept.group;
-        const OneColumn of{kept.column};
+    // Where nothing is carried, no weights are asked for.
+    RELEVO_LANE void find_edges() {
+        const SetupGroup& g = *setup.group;
+        const OneColumn of{setup.column};
         across1 = of(g.edges[1]), down1 = of(g.edges[2]), across2 = of(g.edges[4]), down2 = of(g.edges[5]);
         area = of(g.edges[6]), rw0 = of(g.rw[0]), rw1 = of(g.rw[1]), rw2 = of(g.rw[2]);
         const Doubles x = to_wide(lane_columns()), y = to_wide(lane_rows());

@@ -32,11 +32,9 @@ RELEVO_LANE Bools is_above(const LaneCorner& p, const LaneCorner& q) {
     return p.y < q.y || (p.y == q.y && p.x < q.x);
 }
 
-// Triangles whose corners lie closer than this in x and in y (110 pixels) have edge values within int32, also
-// at the 15 pixels by which a row of lanes may reach past their box: (110 + 15) 256 * 110 256 + (110 256)^2.
+// Triangles whose corners lie closer than this in x and in y (110 pixels) have edge values within int32.
 inline constexpr std::int32_t max_small_extent = 110 * 256;
-static_assert(std::int64_t{125 * 256} * max_small_extent + std::int64_t{max_small_extent} * max_small_extent <
-              std::int64_t{1} << 31);
+static_assert(2 * std::int64_t{max_small_extent} * max_small_extent < std::int64_t{1} << 31);
 
 // N triangles in canonical order as triangle_edge.hpp has it: corner 0 is the topmost (of these, the
 // leftmost), and the area is positive. With a negative one the corners 1 and 2 would change places; the

@@ -22,7 +22,7 @@
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
-// The set-up of N triangles, for the rows of one of them to read.
+// The set-up of N triangles, for the strips of one of them to read.
 struct StoredSetup {
     alignas(64) double z0[lanes], g1[lanes], g2[lanes], area[lanes];
     std::int32_t x0[lanes], y0[lanes], x1[lanes], y1[lanes];  // box, within the tile
@@ -37,8 +37,7 @@ struct BoxPart {
     double e1, e2;
 };
 
-// S of the three edges at the first pixel of a part, and how they change. Of an edge that does not cross it
-// all are 0.
+// S of the three edges at the first pixel of a part, and how they change.
 struct EdgeSigns {
     std::int32_t first[3], across[3], down[3];
 };
@@ -51,14 +50,16 @@ RELEVO_LANE EdgeSigns steps_of(const StoredSetup& s, int k) {
 //   S + y down >= 0   is   y >= S (-1 / down)   or, where down < 0,   y <= S (-1 / down)
 // The quotients are not exact, so that a row too many may be there: never one too few.
 struct StripRows {
-    double least[3], most[3], all[3], last;
+    // S times these bounds the rows from above, or from below; with factor 0 it does not, as all_rows is
+    // added.
+    double from_factor[3], to_factor[3], all_rows[3], last;
 
     RELEVO_LANE StripRows(const EdgeSigns& signs, int rows) : last(rows - 1) {
         for (int j = 0; j < 3; ++j) {
             const double down = signs.down[j], quotient = -1 / (down == 0 ? 1e-300 : down);
             const bool from = down >= 0;
-            least[j] = from ? quotient : 0;
-            most[j] = from ? 0 : quotient, all[j] = from ? rows : 0;
+            from_factor[j] = from ? quotient : 0;
+            to_factor[j] = from ? 0 : quotient, all_rows[j] = from ? rows : 0;
         }
     }
     // column: of the strip's first pixel, from the part's first one. Empty where first > last.
@@ -67,8 +68,8 @@ struct StripRows {
         for (int j = 0; j < 3; ++j) {
             const double across = signs.across[j],
                          s = signs.first[j] + column * across + (across > 0 ? (lanes - 1) * across : 0);
-            from = std::max(from, s * least[j]);
-            to = std::min(to, s * most[j] + all[j]);
+            from = std::max(from, s * from_factor[j]);
+            to = std::min(to, s * to_factor[j] + all_rows[j]);
         }
         constexpr double slack = 1e-6;
         first_row = static_cast<int>(std::min(from, last + 1) + (1 - slack));
@@ -128,10 +129,11 @@ RELEVO_LANE void cover_strips(const StoredSetup& s, int k, const BoxPart& box, c
     }
 }
 
-// A part of a large triangle. S is 0 somewhere in it if the edge crosses it, so that it is nowhere larger
-// than what it changes by from corner to corner.
+// A part of a large triangle. Where an edge crosses it, S changes its sign there, so that it is nowhere
+// larger than what it changes by from corner to corner.
 inline constexpr int part_side = 64;
-inline constexpr std::int64_t largest_difference = std::int64_t{2 * 7 * 128} * 8192;  // within the guard band
+inline constexpr std::int64_t largest_difference =  // of two corners' coordinates
+    std::int64_t{pipeline::guard_band} * pipeline::max_picture_size * pipeline::subpixels;
 static_assert((part_side - 1) * 2 * largest_difference < std::int64_t{1} << 31);
 RELEVO_LANE void cover_part(const StoredSetup& s, int k, const BoxPart& box, std::uint32_t number,
                             const Nearness& nearness, const TileMemory& tile) {
@@ -146,7 +148,7 @@ RELEVO_LANE void cover_part(const StoredSetup& s, int k, const BoxPart& box, std
             crossed = true;
             signs.first[j] = static_cast<std::int32_t>(std::floor(e * (1 / 256.0)));
         } else {
-            signs.across[j] = signs.down[j] = 0;
+            signs.across[j] = signs.down[j] = 0;  // is 0 everywhere: no need to ask
         }
         return true;
     };
@@ -159,7 +161,7 @@ RELEVO_LANE void cover_part(const StoredSetup& s, int k, const BoxPart& box, std
         cover_strips<false>(s, k, box, signs, number, nearness, tile);
 }
 
-// The rows of triangle k. Of a large one the box is taken in parts: fewer of them are crossed by an edge.
+// Triangle k. Of a large one the box is taken in parts: fewer of them are crossed by an edge.
 RELEVO_LANE void cover_triangle(const StoredSetup& s, int k, bool small, std::uint32_t number,
                                 const Nearness& nearness, const TileMemory& tile) {
     const double px = s.left[k], py = s.above[k];

@@ -111,7 +111,6 @@ RELEVO_LANE Bools from_bits(std::uint32_t which) {
 }
 inline constexpr std::uint32_t all_bits = (2u << (lanes - 1)) - 1;
 RELEVO_LANE Bools first_lanes(int n) { return {hn::FirstN(TagF(), static_cast<std::size_t>(n))}; }
-RELEVO_LANE Bools all_lanes() { return first_lanes(lanes); }
 RELEVO_LANE hn::Mask<TagI> int_mask(Bools a) { return hn::RebindMask(TagI(), a.m); }
 RELEVO_LANE Bools float_mask(hn::Mask<TagI> m) { return {hn::RebindMask(TagF(), m)}; }
 
@@ -303,27 +302,6 @@ RELEVO_LANE Ints compress(Ints a, Bools mask) {
 #endif
 RELEVO_LANE Floats compress(Floats a, Bools mask) { return bits_float(compress(float_bits(a), mask)); }
 
-// The lanes whose number stands in no lane before them.
-#if HWY_TARGET <= HWY_AVX3
-RELEVO_LANE Bools first_of_equals(Ints a) {
-    return {hn::RebindMask(TagF(), hn::Mask<TagI>{_mm512_testn_epi32_mask(_mm512_conflict_epi32(a.v.raw),
-                                                                          _mm512_set1_epi32(-1))})};
-}
-#else
-template <int... by>
-RELEVO_LANE Bools first_of_equals(Ints a, std::integer_sequence<int, by...>) {
-    // lane k beside lane k - 1 - by, or beside the first
-    const auto before = [&](int distance) RELEVO_INSIDE {
-        const Ints from = max(lane_numbers() - Ints(distance), Ints(0));
-        return Ints(hn::TableLookupLanes(a.v, hn::IndicesFromVec(TagI(), from.v))) == a;
-    };
-    return (!(... || before(by + 1))) || first_lanes(1);
-}
-RELEVO_LANE Bools first_of_equals(Ints a) {
-    return first_of_equals(a, std::make_integer_sequence<int, lanes - 1>());
-}
-#endif
-
 // In each lane the number of another one: the same for many registers.
 struct Picked {
     decltype(hn::IndicesFromVec(TagI(), hn::Zero(TagI()))) by;
@@ -408,9 +386,6 @@ RELEVO_LANE void store_eights(const Floats* a, float* p) {
 RELEVO_LANE void stream(Floats a, float* p) { hn::Stream(a.v, TagF(), p); }
 RELEVO_LANE void stream(Ints a, std::uint32_t* p) { hn::Stream(hn::BitCast(TagU(), a.v), TagU(), p); }
 // base[index] of each lane, index >= 0.
-RELEVO_LANE Floats gather(const float* base, Ints index) {
-    return Floats(hn::GatherIndex(TagF(), base, index.v));
-}
 RELEVO_LANE Ints gather(const std::int32_t* base, Ints index) {
     return Ints(hn::GatherIndex(TagI(), base, index.v));
 }

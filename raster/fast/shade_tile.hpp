@@ -40,6 +40,16 @@ RELEVO_LANE KeptSetup find_setup(const TileAt& at, KeptSetups& kept, std::uint32
 }
 
 // ------------------------------------------------------------------------------------------------ whole
+template <template <bool> class Program>
+RELEVO_LANE OneTriangle one_triangle(const TileAt& at, KeptSetups& kept, std::uint32_t number) {
+    OneTriangle triangle;
+    triangle.setup = find_setup<Program>(at, kept, number);
+    const std::uint32_t model = triangle.setup.group->model[triangle.setup.column];
+    with_texture<Program>(at.draw.models[model], [&]<class P>(P) RELEVO_INSIDE {
+        if constexpr (P::size > 0) triangle.find_edges();
+    });
+    return triangle;
+}
 // The block at (row, column), or what of it shows the triangle.
 template <template <bool> class Program>
 RELEVO_LANE void shade_one(const TileAt& at, WaitingPixels& waiting, const OneTriangle& triangle, int row,
@@ -177,8 +187,8 @@ template <template <bool> class Program>
     for (std::uint32_t rest = block.covered; rest != 0;) {
         const std::uint32_t number = numbers[std::countr_zero(rest)];
         const std::uint32_t which = rest & bits(block.numbers == Ints(static_cast<std::int32_t>(number)));
-        const OneTriangle triangle(find_setup<Program>(at, kept, number));
-        shade_one<Program>(at, waiting, triangle, block.row, block.column, which);
+        shade_one<Program>(at, waiting, one_triangle<Program>(at, kept, number), block.row, block.column,
+                           which);
         rest &= ~which;
     }
 }
@@ -241,7 +251,8 @@ RELEVO_LANE void write_shaded_row(const TileAt& at, int row) {
 
 template <template <bool> class Program>
 [[gnu::noinline, gnu::flatten]] std::uint64_t shade_blocks(const TileAt& at) {
-    // Two side by side share the numbers of their triangle; but only AVX-512 has registers for both.
+    // Two side by side share the numbers of their triangle; but only AVX-512 has registers for the weights of
+    // both.
     constexpr bool in_twos = lanes == 16 || Program<false>::size == 0;
     const TileMemory& tile = at.scratch.tile;
     KeptSetups kept(at.scratch.kept);
@@ -259,7 +270,7 @@ template <template <bool> class Program>
             const std::uint32_t rest = blocks.whole & (blocks.whole - 1), next = (blocks.whole ^ rest) << 1;
             const int column = std::countr_zero(blocks.whole) * block_columns;
             const std::uint32_t number = visible[column];
-            if (number != last) triangle = OneTriangle(find_setup<Program>(at, kept, number)), last = number;
+            if (number != last) triangle = one_triangle<Program>(at, kept, number), last = number;
             if (in_twos && (rest & next) != 0 && visible[column + block_columns] == number) {
                 shade_two<Program>(at, waiting, triangle, row, column);
                 blocks.whole = rest ^ next;

@@ -18,7 +18,7 @@ struct TileBox {
 struct Background {
     const int* tiles = nullptr;
     int count = 0, row = 0;  // of tiles; of the first one: rows that are written
-    TileBox box{};           // of the first one, once a row is written
+    TileBox box{};           // of the first one, from its first row on
 };
 
 // The memory of one worker for one tile at a time.

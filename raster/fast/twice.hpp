@@ -59,7 +59,6 @@ RELEVO_LANE Twice<Words> look_up(const std::uint32_t* table, Twice<Ints> index) 
 }
 
 RELEVO_LANE Twice<Doubles> to_wide(Twice<Doubles> x) { return x; }
-RELEVO_LANE Twice<Doubles> to_wide(Twice<Ints> x) { return {to_wide(x.a), to_wide(x.b)}; }
 RELEVO_LANE Floats2 rounded(Twice<Doubles> x) { return {rounded(x.a), rounded(x.b)}; }
 
 template <class F>

@@ -1,6 +1,6 @@
 // Pixels wait for light, N in a register, until there are many registers; then come
 //
-//   directions   normal, viewer and light of every register         (Phong: all the roots and divisions)
+//   directions   normal, viewer and first light of every register   (Phong: its roots and divisions)
 //   light        of two registers at a time (twice.hpp), texture, output
 //
 // Light is a long chain of operations that wait for each other. A processor looks some hundred operations
@@ -40,17 +40,20 @@ RELEVO_LANE WaitingPixels& nobody_waits(const TileScratch& scratch) {
 template <class P>
 inline constexpr bool is_lit_at_once = std::is_same_v<P, Gouraud<false>> || P::size == 0;
 
+RELEVO_LANE void store_three(Floats a, Floats b, Floats c, float (*rows)[lanes]) {
+    store(a, rows[0]), store(b, rows[1]), store(c, rows[2]);
+}
+
 template <class P>
 RELEVO_LANE void find_directions(WaitingPixels& waiting) {
     for (int n = 0; n < waiting.count; ++n) {
         std::array<Floats, 6> a;
         for (std::size_t k = 0; k < 6; ++k) a[k] = load(waiting.carried[n][k]);
         const auto to = P::template directions<Floats>(waiting.model->setup.surface, a.data());
-        const auto put = [&](const Vec3Of<Floats>& v, int k) RELEVO_INSIDE {
-            float(*row)[lanes] = waiting.directions[n] + k;
-            store(v.x, row[0]), store(v.y, row[1]), store(v.z, row[2]);
-        };
-        put(to.normal, 0), put(to.viewer, 3), put(to.light, 6);
+        float(*rows)[lanes] = waiting.directions[n];
+        store_three(to.normal.x, to.normal.y, to.normal.z, rows);
+        store_three(to.viewer.x, to.viewer.y, to.viewer.z, rows + 3);
+        store_three(to.light.x, to.light.y, to.light.z, rows + 6);
     }
 }
 
@@ -121,9 +124,8 @@ RELEVO_LANE void light(const TileAt& at, WaitingPixels& waiting, const ModelStat
         for (std::size_t k = 0; k < P::size; ++k) store(numbers.carried[k], waiting.carried[n][k]);
         if constexpr (P::needs_face) {
             const auto& [amount, gloss] = numbers.face;
-            float(*row)[lanes] = waiting.face[n];
-            store(amount.r, row[0]), store(amount.g, row[1]), store(amount.b, row[2]);
-            store(gloss.r, row[3]), store(gloss.g, row[4]), store(gloss.b, row[5]);
+            store_three(amount.r, amount.g, amount.b, waiting.face[n]);
+            store_three(gloss.r, gloss.g, gloss.b, waiting.face[n] + 3);
         }
     }
 }

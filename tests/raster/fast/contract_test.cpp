@@ -212,13 +212,15 @@ struct Lit {  // a surface and what it points to
     Texture texture = random_texture(640, 427, false);
     raster::Surface surface{};
 
-    explicit Lit(Scalar shininess, bool parallel = false, int count = 3) {
-        const EyeLight all[] = {{false, {1, 2, 3}, {1, Scalar(0.5), Scalar(0.25)}},
-                                {true, {0, Scalar(0.6), Scalar(0.8)}, {Scalar(0.1), 2, 1}},
-                                {false, {-1, 0, -2}, {1, 0, -1}}};
+    explicit Lit(Scalar shininess, bool parallel = false, int count = 3, bool grey = false) {
+        EyeLight all[] = {{false, {1, 2, 3}, {1, Scalar(0.5), Scalar(0.25)}},
+                          {true, {0, Scalar(0.6), Scalar(0.8)}, {Scalar(0.1), 2, 1}},
+                          {false, {-1, 0, -2}, {1, 0, -1}}};
+        if (grey)
+            for (EyeLight& light : all) light.color.r = light.color.b = light.color.g;
         lights.assign(all, all + count);
-        surface.lighting = {lights,  Scalar(-0.0), Scalar(0.7), Scalar(0.4), pipeline::exponent(shininess),
-                            parallel};
+        surface.lighting = {lights,   Scalar(-0.0), Scalar(0.7), Scalar(0.4), pipeline::exponent(shininess),
+                            parallel, grey};
         surface.color = {Scalar(0.8), Scalar(0.6), Scalar(0.4)};
         surface.texture = &texture;
         surface.filter = Filter::Bilinear;
@@ -254,10 +256,11 @@ TEST_P(Contract, PowerOfEveryKindOfExponent) {
 TEST_P(Contract, Reflect) {
     for (const Scalar shininess : {32.0f, 0.5f})
         for (const int lights : {0, 1, 3})
-            for (const bool parallel : {false, true}) {
-                const Lit lit(shininess, parallel, lights);
-                same({.function = Function::Reflect, .surface = lit.surface}, usual_cases / 8);
-            }
+            for (const bool parallel : {false, true})
+                for (const bool grey : {false, true}) {
+                    const Lit lit(shininess, parallel, lights, grey);
+                    same({.function = Function::Reflect, .surface = lit.surface}, usual_cases / 8);
+                }
 }
 
 TEST_P(Contract, ReflectFace) {

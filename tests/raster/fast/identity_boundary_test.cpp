@@ -448,7 +448,7 @@ TEST(Boundary, MoreGroupsThanATileKeeps) {
             }
 }
 
-// Groups whose fragments are kept and groups that are drawn in rows, in the same planes, in all orders.
+// Groups whose fragments are kept and groups that are drawn in strips, in the same planes, in all orders.
 TEST(Boundary, EqualDepthsOfSmallAndLargeTriangles) {
     for (const View view : {View::Parallel, View::Perspective})
         for (const int run : {16, 23, 48})
@@ -574,6 +574,23 @@ TEST(Boundary, TheLargestCoordinates) {
         EXPECT_TRUE(is_same_all(scene));
         EXPECT_TRUE(is_same_few(scene, gouraud()));
     }
+}
+
+// An edge from one corner of the guard band to the other changes by as much as it can from pixel to pixel.
+TEST(Boundary, TheLongestDiagonals) {
+    constexpr double right = 0x1p23, left = -6 * 0x1p20, below = right / 4, above = left / 4;
+    WindowScene scene({8192, 2048}, View::Parallel);
+    const auto beside = [&](double x) { return x - std::floor(scene.random().between(0, 18) * pixel); };
+    for (int i = 0; i < 12; ++i) {
+        const Scalar depth = Scalar(scene.random().unit());
+        const bool falling = i % 2;
+        const Corner from{left, falling ? above : beside(below), depth},
+            to{beside(right), falling ? below : above, depth};
+        scene.add({from, to, i % 4 < 2 ? Corner{from.x, to.y, depth} : Corner{to.x, from.y, depth}});
+    }
+    std::vector<Way> ways;
+    for (const Way& way : few_ways(0)) ways.push_back({way.set, 2, 128, false, true});
+    EXPECT_TRUE(is_same(scene, ways, gouraud()));
 }
 
 }  // namespace

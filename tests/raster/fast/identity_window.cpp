@@ -23,8 +23,11 @@ const raster::Texture& noise() {
 
 WindowScene::WindowScene(Size size, View view, std::uint64_t seed) : size_(size), view_(view), random_(seed) {
     scene_.background = {Scalar(0.25), 0, Scalar(0.125)};
+    const Scalar half = Scalar(0.5);
+    const pipeline::LinearRgb color =
+        seed % 2 ? pipeline::LinearRgb{half, 0, 1} : pipeline::LinearRgb{half, half, half};  // all are grey
     scene_.lights = {{pipeline::Light::Kind::Point, {{1, 2, 5}}, {{0, 0, -1}}, {1, 1, 1}},
-                     {pipeline::Light::Kind::Directional, {{0, 0, 0}}, {{-1, -1, -1}}, {Scalar(0.5), 0, 1}}};
+                     {pipeline::Light::Kind::Directional, {{0, 0, 0}}, {{-1, -1, -1}}, color}};
     scene_.camera.parallel = view == View::Parallel;
     if (view == View::Perspective) {  // clip = (x, y, 1/2, z)
         scene_.camera.clip_from_eye.m[2] = {0, 0, 0, 1};

@@ -111,6 +111,8 @@ void fill(Subject& s, bool textured, bool two_sided, std::mt19937& random) {
                       {pipeline::Light::Kind::Directional, {{0, 0, 0}}, {{1, -1, -2}}, {0.3f, 0.4f, 0.5f}},
                       {pipeline::Light::Kind::Point, {{-1, 0, -2}}, {{0, 0, -1}}, {0.2f, 0.5f, 0.1f}}};
     s.scene.lights.resize(random() % 4);
+    if (random() % 2)  // grey ones
+        for (pipeline::Light& light : s.scene.lights) light.color.r = light.color.g = light.color.b;
     const bool parallel = random() % 3 == 0;
     s.scene.camera = {*pipeline::look_at({0, 0, 2.5}, {0.1, 0, 0}, {0, 1, 0}),
                       parallel
