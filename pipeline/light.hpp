@@ -71,8 +71,7 @@ inline bool are_grey(std::span<const EyeLight> lights) {
 }
 
 // The unit vectors at a point, for the first light: what the light equation needs roots and divisions for.
-// They are apart because a loop over many points is faster when these come first
-// (raster/fast/waiting_light.hpp).
+// They are apart because a loop over many points is faster when these come first.
 template <class Real>
 struct DirectionsOf {
     Vec3Of<Real> normal, viewer, light;

@@ -1,8 +1,9 @@
 // The perspective weights of a block's pixels, and the planes they weigh, from kept set-ups
 // (kept_setups.hpp).
 //
-//   one triangle   edge values at the pixels of the tile's first block, and one sum for all of them further
-//   on mixed          each lane takes the planes of the triangle that it shows, and puts its own pixel in
+//   one triangle   edge values at the pixels of the tile's first block, and one sum for all of them
+//                  further on
+//   mixed          each lane takes the planes of the triangle that it shows, and puts its own pixel in
 #pragma once
 #include "raster/fast/kept_setups.hpp"
 #include "raster/fast/twice.hpp"
