@@ -1,8 +1,7 @@
 // The perspective weights of a block's pixels, and the planes they weigh, from kept set-ups
 // (kept_setups.hpp).
 //
-//   one triangle   edge values at the pixels of the tile's first block, and one sum for all of them
-//                  further on
+//   one triangle   a run of blocks of a row: edge values at the first, and a step to each further one
 //   mixed          each lane takes the planes of the triangle that it shows, and puts its own pixel in
 #pragma once
 #include "raster/fast/kept_setups.hpp"
@@ -58,36 +57,29 @@ RELEVO_LANE CarriedPlanes<Program> select(Bools mask, const CarriedPlanes<Progra
 }
 
 // ------------------------------------------------------------------------------------------ one triangle
-struct OneTriangle {
-    Doubles e1, e2;
-    double across1, down1, across2, down2, area, rw0, rw1, rw2;
-    KeptSetup setup;
+// At one block of a row after the other.
+struct RunOfBlocks {
+    Doubles e0, e1, e2;
+    double step0, step1, step2;
+    Interpolator corners;
 
-    // Where nothing is carried, no weights are asked for.
-    RELEVO_LANE void find_edges() {
-        const SetupGroup& g = *setup.group;
-        const OneColumn of{setup.column};
-        across1 = of(g.edges[1]), down1 = of(g.edges[2]), across2 = of(g.edges[4]), down2 = of(g.edges[5]);
-        area = of(g.edges[6]), rw0 = of(g.rw[0]), rw1 = of(g.rw[1]), rw2 = of(g.rw[2]);
+    RELEVO_LANE RunOfBlocks(const SetupGroup& g, OneColumn of, int row, int column) {
         const Doubles x = to_wide(lane_columns()), y = to_wide(lane_rows());
-        e1 = of(g.edges[0]) + (x * across1 + y * down1);
-        e2 = of(g.edges[3]) + (x * across2 + y * down2);
+        const auto edge = [&](const auto& first, const auto& across, const auto& down,
+                              double& step) RELEVO_INSIDE {
+            step = block_columns * of(across);
+            return (x * of(across) + y * of(down)) + (of(first) + (column * of(across) + row * of(down)));
+        };
+        e1 = edge(g.edges[0], g.edges[1], g.edges[2], step1);
+        e2 = edge(g.edges[3], g.edges[4], g.edges[5], step2);
+        e0 = of(g.edges[6]) - e1 - e2, step0 = -(step1 + step2);
+        corners = {0, 0, 0, of(g.rw[0]), of(g.rw[1]), of(g.rw[2])};
     }
+    RELEVO_LANE PerspectiveWeightsOf<Floats> weights() const {
+        return perspective_weights<Floats>(corners, EdgeValuesOf<Floats>{e0, e1, e2});
+    }
+    RELEVO_LANE void next() { e0 = e0 + step0, e1 = e1 + step1, e2 = e2 + step2; }
 };
-// At a block (Floats), or at it and the next one of the row (Floats2).
-template <class Real>
-RELEVO_LANE PerspectiveWeightsOf<Real> weights_at(const OneTriangle& t, int row, int column) {
-    const auto edge = [&](const Doubles& e, double across, double down) RELEVO_INSIDE {
-        const Doubles here = e + (column * across + row * down);
-        if constexpr (std::is_same_v<Real, Floats>)
-            return here;
-        else
-            return Twice<Doubles>(here, here + block_columns * across);
-    };
-    const auto e1 = edge(t.e1, t.across1, t.down1), e2 = edge(t.e2, t.across2, t.down2);
-    return perspective_weights<Real>(Interpolator{0, 0, 0, t.rw0, t.rw1, t.rw2},
-                                     EdgeValuesOf<Real>{t.area - e1 - e2, e1, e2});
-}
 
 // ------------------------------------------------------------------------------------------------ mixed
 // Number: Doubles or, where all triangles are small, Ints, of which a register holds twice as many.
@@ -96,8 +88,8 @@ struct EdgePlanes {
     Number e1, across1, down1, e2, across2, down2, area;
     Floats rw0, rw1, rw2;
 };
-template <class Number>
-RELEVO_LANE EdgePlanes<Number> edge_planes(const SetupGroup& g, const OwnColumn& of) {
+template <class Number, class Column>
+RELEVO_LANE EdgePlanes<Number> edge_planes(const SetupGroup& g, const Column& of) {
     const auto planes = [&](const auto& e) RELEVO_INSIDE {
         return EdgePlanes<Number>{of(e[0]), of(e[1]), of(e[2]),    of(e[3]),    of(e[4]),
                                   of(e[5]), of(e[6]), of(g.rw[0]), of(g.rw[1]), of(g.rw[2])};

@@ -21,7 +21,7 @@ struct SetupGroup {
     float plane[max_carried][3][lanes];  // a0, d1, d2 of each number that is carried
     float face[6][lanes];                // amount, gloss
     float color[3][lanes];               // where nothing is carried: of every pixel
-    std::uint32_t packed[lanes], model[lanes];
+    std::int32_t packed[lanes], model[lanes];
     bool small;  // all triangles are
 };
 

@@ -4,7 +4,7 @@
 //             n n n n | n n n n |
 //
 // Small triangles are shaded by their fragments (shade_fragments.hpp), the others by blocks:
-//   whole   one triangle in all of the block; first these of a row of blocks
+//   whole   one triangle in all of the block; first these of a row of blocks, in runs of one triangle
 //   mixed   several triangles, or background, too; then these: each lane takes what it needs of the triangle
 //           that it shows from the group that this one was set up in
 // The numbers that a block's pixels get then wait for light (waiting_light.hpp).
@@ -40,56 +40,48 @@ RELEVO_LANE KeptSetup find_setup(const TileAt& at, KeptSetups& kept, std::uint32
 }
 
 // ------------------------------------------------------------------------------------------------ whole
-template <template <bool> class Program>
-RELEVO_LANE OneTriangle one_triangle(const TileAt& at, KeptSetups& kept, std::uint32_t number) {
-    OneTriangle triangle;
-    triangle.setup = find_setup<Program>(at, kept, number);
-    const std::uint32_t model = triangle.setup.group->model[triangle.setup.column];
-    with_texture<Program>(at.draw.models[model], [&]<class P>(P) RELEVO_INSIDE {
-        if constexpr (P::size > 0) triangle.find_edges();
-    });
-    return triangle;
+// Pixels that can be coloured at once, in two loops: the weights of all blocks first, then their colours.
+template <class P>
+RELEVO_LANE void color_run(const TileAt& at, const Surface& surface, const CarriedPlanes<P>& planes,
+                           RunOfBlocks run, int row, int column, int count, std::uint32_t which) {
+    alignas(64) float b1[max_tile / block_columns][lanes], b2[max_tile / block_columns][lanes];
+    for (int n = 0; n < count; ++n, run.next()) {
+        const PerspectiveWeightsOf<Floats> weights = run.weights();
+        store(weights.b1, b1[n]), store(weights.b2, b2[n]);
+    }
+    const BlockRow blocks(at, row);
+    for (int n = 0; n < count; ++n, column += block_columns) {
+        const PerspectiveWeightsOf<Floats> weights{load(b1[n]), load(b2[n]), {}};
+        const std::array<Floats, P::size> carried = interpolate(planes.plane, weights);
+        const RgbOf<Floats> c = P::template pixel<Floats>(surface, planes.face, carried.data());
+        blocks.write(at, column, which, packed_rgba8<Floats>(c, blocks.output), c);
+    }
 }
-// The block at (row, column), or what of it shows the triangle.
+
+// `count` blocks of a row, from (row, column) on: what of them shows the triangle, of whole ones everything.
 template <template <bool> class Program>
-RELEVO_LANE void shade_one(const TileAt& at, WaitingPixels& waiting, const OneTriangle& triangle, int row,
-                           int column, std::uint32_t which) {
-    const SetupGroup& group = *triangle.setup.group;
-    const OneColumn of{triangle.setup.column};
-    const ModelState& model = at.draw.models[of(group.model)];
-    with_texture<Program>(model, [&]<class P>(P) RELEVO_INSIDE {
-        if constexpr (P::size == 0) {
-            write_pixels(at, BlockTo{row, column, which}, Words(of(group.packed)),
-                         {of(group.color[0]), of(group.color[1]), of(group.color[2])});
-        } else {
-            const CarriedPlanes<P> planes = carried_planes<P>(group, of);
-            const auto weights = weights_at<Floats>(triangle, row, column);
-            light<Program, P>(at, waiting, model, {interpolate(planes.plane, weights), planes.face},
-                              BlockTo{row, column, which});
-        }
-    });
-}
-// The block at (row, column) and the next one of the row, both whole.
-template <template <bool> class Program>
-RELEVO_LANE void shade_two(const TileAt& at, WaitingPixels& waiting, const OneTriangle& triangle, int row,
-                           int column) {
-    const SetupGroup& group = *triangle.setup.group;
-    const OneColumn of{triangle.setup.column};
-    const ModelState& model = at.draw.models[of(group.model)];
-    const BlockTo first{row, column, all_bits}, second{row, column + block_columns, all_bits};
+RELEVO_LANE void shade_run(const TileAt& at, WaitingPixels& waiting, const KeptSetup& triangle, int row,
+                           int column, int count, std::uint32_t which) {
+    const SetupGroup& group = *triangle.group;
+    const OneColumn of{triangle.column};
+    const ModelState& model = at.draw.models[std::size_t(of(group.model))];
     with_texture<Program>(model, [&]<class P>(P) RELEVO_INSIDE {
         if constexpr (P::size == 0) {
             const RgbOf<Floats> c{of(group.color[0]), of(group.color[1]), of(group.color[2])};
-            write_pixels(at, first, Words(of(group.packed)), c);
-            write_pixels(at, second, Words(of(group.packed)), c);
+            const BlockRow blocks(at, row);
+            for (int n = 0; n < count; ++n, column += block_columns)
+                blocks.write(at, column, which, to_word(Ints(of(group.packed))), c);
         } else {
             const CarriedPlanes<P> planes = carried_planes<P>(group, of);
-            const auto weights = weights_at<Floats2>(triangle, row, column);
-            const auto both = interpolate<P::size, Floats, Floats2>(planes.plane, weights);
-            PixelNumbers<P> a{{}, planes.face}, b = a;
-            for (std::size_t k = 0; k < P::size; ++k) a.carried[k] = both[k].a, b.carried[k] = both[k].b;
-            light<Program, P>(at, waiting, model, a, first);
-            light<Program, P>(at, waiting, model, b, second);
+            RunOfBlocks run(group, of, row, column);
+            if constexpr (is_lit_at_once<P>) {
+                color_run<P>(at, model.setup.surface, planes, run, row, column, count, which);
+            } else {
+                for (int n = 0; n < count; ++n, column += block_columns, run.next())
+                    wait_for_light<Program, P>(at, waiting, model,
+                                               {interpolate(planes.plane, run.weights()), planes.face},
+                                               BlockTo{row, column, which});
+            }
         }
     });
 }
@@ -130,6 +122,7 @@ template <template <bool> class Program>
 RELEVO_LANE bool shade_mixed(const TileAt& at, KeptSetups& kept, WaitingPixels& waiting,
                              const MixedBlock& block) {
     const SeenGroups seen = find_groups(block);
+    const OwnColumn of{Picked(seen.column)};
     for (int n = 0; n < seen.count; ++n)
         if (!kept.holds(seen.number[n])) prepare<Program>(at, seen.number[n], kept);
     bool small = true;
@@ -137,7 +130,6 @@ RELEVO_LANE bool shade_mixed(const TileAt& at, KeptSetups& kept, WaitingPixels& 
         if (!kept.holds(seen.number[n])) return false;
         small &= kept.group(seen.number[n]).small;
     }
-    const OwnColumn of{Picked(seen.column)};
     // In each lane what value() takes from the lane's group.
     const auto mixed = [&](auto&& value) RELEVO_INSIDE {
         auto result = value(kept.group(seen.number[0]));
@@ -147,7 +139,7 @@ RELEVO_LANE bool shade_mixed(const TileAt& at, KeptSetups& kept, WaitingPixels& 
     };
     std::uint32_t model_number = 0;
     if (at.draw.models.size() > 1) {
-        const Ints models = mixed([&](const SetupGroup& g) RELEVO_INSIDE { return of(g.model); });
+        const Ints models = mixed([&](const SetupGroup& g) RELEVO_INSIDE { return Ints(of(g.model)); });
         model_number = static_cast<std::uint32_t>(first_lane(models));
         if (!all(models == Ints(first_lane(models)))) return false;
     }
@@ -156,11 +148,11 @@ RELEVO_LANE bool shade_mixed(const TileAt& at, KeptSetups& kept, WaitingPixels& 
     with_texture<Program>(model, [&]<class P>(P) RELEVO_INSIDE {
         if constexpr (P::size == 0) {
             const auto color = [&](int k) RELEVO_INSIDE {
-                return mixed([&](const SetupGroup& g) RELEVO_INSIDE { return of(g.color[k]); });
+                return mixed([&](const SetupGroup& g) RELEVO_INSIDE { return Floats(of(g.color[k])); });
             };
             RgbOf<Floats> c{};
             if (at.draw.linear != nullptr) c = {color(0), color(1), color(2)};
-            const Ints packed = mixed([&](const SetupGroup& g) RELEVO_INSIDE { return of(g.packed); });
+            const Ints packed = mixed([&](const SetupGroup& g) RELEVO_INSIDE { return Ints(of(g.packed)); });
             write_pixels(at, to, to_word(packed), c);
         } else {
             const Ints x = Ints(block.column) + lane_columns(), y = Ints(block.row) + lane_rows();
@@ -177,7 +169,6 @@ RELEVO_LANE bool shade_mixed(const TileAt& at, KeptSetups& kept, WaitingPixels& 
     });
     return true;
 }
-
 // One triangle after the other: slower, and right for any number of them, of any models.
 template <template <bool> class Program>
 [[gnu::noinline, gnu::flatten]] void shade_many(const TileAt& at, KeptSetups& kept, WaitingPixels& waiting,
@@ -187,7 +178,7 @@ template <template <bool> class Program>
     for (std::uint32_t rest = block.covered; rest != 0;) {
         const std::uint32_t number = numbers[std::countr_zero(rest)];
         const std::uint32_t which = rest & bits(block.numbers == Ints(static_cast<std::int32_t>(number)));
-        shade_one<Program>(at, waiting, one_triangle<Program>(at, kept, number), block.row, block.column,
+        shade_run<Program>(at, waiting, find_setup<Program>(at, kept, number), block.row, block.column, 1,
                            which);
         rest &= ~which;
     }
@@ -235,49 +226,36 @@ RELEVO_LANE RowBlocks blocks_of_row(const std::uint32_t* visible, int stride, in
     return blocks;
 }
 
-RELEVO_LANE void fill_background(const TileAt& at, int first_row, int last_row) {
-    const Ints background(std::bit_cast<std::int32_t>(at.draw.background8));
-    for (int y = first_row; y <= last_row; ++y)
-        for (int x = 0; x < at.box.width; x += lanes) store(background, at.color_row(y) + x);
-    for (int y = first_row; at.draw.linear != nullptr && y <= last_row && y < at.box.height; ++y)
-        std::fill_n(linear_at(at, y, 0), at.box.width, at.draw.background);
-}
-
 RELEVO_LANE void write_shaded_row(const TileAt& at, int row) {
     const std::uint32_t* colors = at.color_row(row);
-    write_tile_row(at.draw, at.scratch, at.box, row,
-                   [colors](int k) RELEVO_INSIDE { return load(colors + k); });
+    const std::uint32_t* visible = at.scratch.tile.visible + row * at.scratch.tile.stride;
+    const Ints background(std::bit_cast<std::int32_t>(at.draw.background8)),
+        none(static_cast<std::int32_t>(nothing));
+    write_tile_row(at.draw, at.scratch, at.box, row, [=](int k) RELEVO_INSIDE {
+        return select(load(visible + k) == none, background, load(colors + k));
+    });
 }
 
 template <template <bool> class Program>
 [[gnu::noinline, gnu::flatten]] std::uint64_t shade_blocks(const TileAt& at) {
-    // Two side by side share the numbers of their triangle; but only AVX-512 has registers for the weights of
-    // both.
-    constexpr bool in_twos = lanes == 16 || Program<false>::size == 0;
     const TileMemory& tile = at.scratch.tile;
     KeptSetups kept(at.scratch.kept);
     WaitingPixels& waiting = nobody_waits(at.scratch);
     std::uint64_t shaded = 0;
-    std::uint32_t last = nothing;  // number of `triangle`
-    OneTriangle triangle;
     for (int row = 0; row < at.box.height; row += block_rows) {
-        if (!at.has_plane) fill_background(at, row, row + block_rows - 1);
         const std::uint32_t* visible = tile.visible + row * tile.stride;
         RowBlocks blocks = blocks_of_row(visible, tile.stride, at.box.width);
         shaded += static_cast<unsigned>(std::popcount(blocks.whole) * lanes);
         while (blocks.whole != 0) {
             write_background_row(at.draw, at.scratch.background);
-            const std::uint32_t rest = blocks.whole & (blocks.whole - 1), next = (blocks.whole ^ rest) << 1;
-            const int column = std::countr_zero(blocks.whole) * block_columns;
+            const int first = std::countr_zero(blocks.whole), most = std::countr_one(blocks.whole >> first);
+            const int column = first * block_columns;
             const std::uint32_t number = visible[column];
-            if (number != last) triangle = one_triangle<Program>(at, kept, number), last = number;
-            if (in_twos && (rest & next) != 0 && visible[column + block_columns] == number) {
-                shade_two<Program>(at, waiting, triangle, row, column);
-                blocks.whole = rest ^ next;
-            } else {
-                shade_one<Program>(at, waiting, triangle, row, column, all_bits);
-                blocks.whole = rest;
-            }
+            int count = 1;
+            while (count < most && visible[column + count * block_columns] == number) ++count;
+            shade_run<Program>(at, waiting, find_setup<Program>(at, kept, number), row, column, count,
+                               all_bits);
+            blocks.whole &= ~(((2u << (count - 1)) - 1) << first);
         }
         for (; blocks.mixed != 0; blocks.mixed &= blocks.mixed - 1) {
             write_background_row(at.draw, at.scratch.background);
@@ -287,7 +265,6 @@ template <template <bool> class Program>
             shaded += static_cast<unsigned>(std::popcount(block.covered));
             if (!shade_mixed<Program>(at, kept, waiting, block))
                 shade_many<Program>(at, kept, waiting, block);
-            last = nothing;  // its set-up may have been replaced
         }
         light_waiting<Program>(at, waiting);
         write_background_row(at.draw, at.scratch.background);
@@ -302,7 +279,6 @@ template <template <bool> class Program>
 RELEVO_LANE std::uint64_t shade_plane(const TileAt& at) {
     const TileMemory& tile = at.scratch.tile;
     const int rows = (at.box.height + block_rows - 1) / block_rows * block_rows;
-    fill_background(at, 0, rows - 1);
     int covered = 0;
     for (int k = 0; k < rows * tile.stride; k += lanes) {
         const Ints number = load(tile.visible + k);
@@ -318,6 +294,8 @@ RELEVO_LANE std::uint64_t shade_plane(const TileAt& at) {
 }
 template <template <bool> class Program>
 RELEVO_LANE std::uint64_t shade_any(const TileAt& at) {
+    for (int y = 0; at.draw.linear != nullptr && y < at.box.height; ++y)
+        std::fill_n(linear_at(at, y, 0), at.box.width, at.draw.background);
     return at.has_plane ? shade_plane<Program>(at) : shade_blocks<Program>(at);
 }
 

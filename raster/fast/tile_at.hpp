@@ -1,7 +1,8 @@
 // A tile that is being shaded, and where its colours go.
 //
-//   color   with kept fragments: a plane, as large as the tile, that holds the background at first
+//   color   with kept fragments: a plane, as large as the tile
 //           without: the rows of the blocks at hand
+// The background's pixels hold nothing: they get their colour as the row leaves.
 #pragma once
 #include "raster/fast/draw_state.hpp"
 #include "raster/fast/lanes.hpp"

@@ -58,9 +58,6 @@ RELEVO_LANE Twice<Words> look_up(const std::uint32_t* table, Twice<Ints> index) 
     return {look_up(table, index.a), look_up(table, index.b)};
 }
 
-RELEVO_LANE Twice<Doubles> to_wide(Twice<Doubles> x) { return x; }
-RELEVO_LANE Floats2 rounded(Twice<Doubles> x) { return {rounded(x.a), rounded(x.b)}; }
-
 template <class F>
 RELEVO_LANE Floats2 each_lane(F&& f, Floats2 x) {
     return {each_lane(f, x.a), each_lane(f, x.b)};

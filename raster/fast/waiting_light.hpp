@@ -110,6 +110,22 @@ RELEVO_LANE void light_waiting(const TileAt& at, WaitingPixels& waiting) {
 
 // The pixels `to` are known up to light.
 template <template <bool> class Program, class P, class To>
+RELEVO_LANE void wait_for_light(const TileAt& at, WaitingPixels& waiting, const ModelState& model,
+                                const PixelNumbers<P>& numbers, const To& to) {
+    if (waiting.count == WaitingPixels::room || (waiting.count > 0 && waiting.model != &model))
+        light_waiting<Program>(at, waiting);
+    const int n = waiting.count++;
+    waiting.model = &model, waiting.to[n] = to;
+    for (std::size_t k = 0; k < P::size; ++k) store(numbers.carried[k], waiting.carried[n][k]);
+    if constexpr (P::needs_face) {
+        const auto& [amount, gloss] = numbers.face;
+        store_three(amount.r, amount.g, amount.b, waiting.face[n]);
+        store_three(gloss.r, gloss.g, gloss.b, waiting.face[n] + 3);
+    }
+}
+
+// Now or later.
+template <template <bool> class Program, class P, class To>
 RELEVO_LANE void light(const TileAt& at, WaitingPixels& waiting, const ModelState& model,
                        const PixelNumbers<P>& numbers, const To& to) {
     if constexpr (is_lit_at_once<P>) {
@@ -117,16 +133,7 @@ RELEVO_LANE void light(const TileAt& at, WaitingPixels& waiting, const ModelStat
             P::template pixel<Floats>(model.setup.surface, numbers.face, numbers.carried.data());
         write_pixels(at, to, packed_rgba8<Floats>(c, at.draw.settings.output), c);
     } else {
-        if (waiting.count == WaitingPixels::room || (waiting.count > 0 && waiting.model != &model))
-            light_waiting<Program>(at, waiting);
-        const int n = waiting.count++;
-        waiting.model = &model, waiting.to[n] = to;
-        for (std::size_t k = 0; k < P::size; ++k) store(numbers.carried[k], waiting.carried[n][k]);
-        if constexpr (P::needs_face) {
-            const auto& [amount, gloss] = numbers.face;
-            store_three(amount.r, amount.g, amount.b, waiting.face[n]);
-            store_three(gloss.r, gloss.g, gloss.b, waiting.face[n] + 3);
-        }
+        wait_for_light<Program, P>(at, waiting, model, numbers, to);
     }
 }
 

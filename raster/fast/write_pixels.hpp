@@ -18,8 +18,8 @@ struct BlockTo {
     std::uint32_t which;
 };
 
-[[gnu::noinline]] static void write_linear(const TileAt& at, const RgbOf<Floats>& c,
-                                           const std::uint32_t* place, std::uint32_t which) {
+[[gnu::noinline]] static void write_linear(const TileAt& at, RgbOf<Floats> c, const std::uint32_t* place,
+                                           std::uint32_t which) {
     alignas(64) float rgb[3][lanes];
     store(c.r, rgb[0]), store(c.g, rgb[1]), store(c.b, rgb[2]);
     const int stride = at.scratch.tile.stride;
@@ -44,16 +44,35 @@ RELEVO_LANE void write_pixels(const TileAt& at, const FragmentsTo& to, Words pac
     if (at.draw.linear != nullptr) write_linear(at, c, to.place, to.which);
 }
 
+// The blocks of a row. What every one needs stands here, in registers: after a store through a pointer the
+// compiler would load it again.
+struct BlockRow {
+    std::uint32_t* colors;
+    int row, stride;
+    Output output;
+    bool linear;
+
+    RELEVO_LANE BlockRow(const TileAt& at, int first_row)
+        : colors(at.color_row(first_row)),
+          row(first_row),
+          stride(at.scratch.tile.stride),
+          output(at.draw.settings.output),
+          linear(at.draw.linear != nullptr) {}
+
+    RELEVO_LANE void write(const TileAt& at, int column, std::uint32_t which, Words packed,
+                           const RgbOf<Floats>& c) const {
+        std::uint32_t* first = colors + column;
+        Ints all = to_whole(packed);
+        if (which != all_bits) all = select(from_bits(which), all, load_block(first, stride));
+        store_block(all, first, stride);
+        if (!linear) return;
+        alignas(64) std::uint32_t place[lanes];
+        store((Ints(row) + lane_rows()) * Ints(stride) + Ints(column) + lane_columns(), place);
+        write_linear(at, c, place, which);
+    }
+};
 RELEVO_LANE void write_pixels(const TileAt& at, const BlockTo& to, Words packed, const RgbOf<Floats>& c) {
-    const int stride = at.scratch.tile.stride;
-    std::uint32_t* first = at.color_row(to.row) + to.column;
-    Ints colors = to_whole(packed);
-    if (to.which != all_bits) colors = select(from_bits(to.which), colors, load_block(first, stride));
-    store_block(colors, first, stride);
-    if (at.draw.linear == nullptr) return;
-    alignas(64) std::uint32_t place[lanes];
-    store((Ints(to.row) + lane_rows()) * Ints(stride) + Ints(to.column) + lane_columns(), place);
-    write_linear(at, c, place, to.which);
+    BlockRow(at, to.row).write(at, to.column, to.which, packed, c);
 }
 
 // One or the other.

@@ -62,8 +62,9 @@ RELEVO_LANE void write_tile_row(const DrawState& draw, const TileScratch& scratc
     const std::size_t at = std::size_t(box.y0 + y) * std::size_t(draw.viewport.width) + std::size_t(box.x0);
     const int from = y * scratch.tile.stride;
     write_row(reinterpret_cast<std::uint32_t*>(draw.color + at), box.width, color);
+    const float* near = scratch.tile.nearness + from;
     write_row(reinterpret_cast<std::uint32_t*>(draw.depth + at), box.width,
-              [&](int k) { return float_bits(nearness(load(scratch.tile.nearness + from + k))); });
+              [=](int k) { return float_bits(nearness(load(near + k))); });
     for (int x = 0; draw.visible != nullptr && x < box.width; ++x) {
         const std::uint32_t number = scratch.tile.visible[from + x];
         draw.visible[at + std::size_t(x)] =
