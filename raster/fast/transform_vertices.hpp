@@ -31,7 +31,8 @@ RELEVO_LANE LaneVertex load_vertices(const pipeline::Vertex* vertices) {
 
 template <class Program>
 RELEVO_LANE void transform_group(const ModelState& model, const pipeline::Viewport& viewport,
-                                 const pipeline::Vertex* vertices, SnappedCorner* window, float* carried) {
+                                 const pipeline::Vertex* vertices, SnappedCorner* window, float* carried,
+                                 bool past_caches) {
     const LaneVertex vertex = load_vertices(vertices);
     const auto& to_clip = model.setup.clip_from_object.row;
     const pipeline::Vec4Of<Floats> clip{pipeline::row_times_point(to_clip[0], vertex.position),
@@ -49,27 +50,36 @@ RELEVO_LANE void transform_group(const ModelState& model, const pipeline::Viewpo
         Floats a[max_carried];
         for (int k = 0; k < max_carried; ++k)
             a[k] = k < int(Program::size) ? values[std::size_t(k)] : Floats(0.f);
-        Program::size <= 4 ? store_fours(a, carried) : store_eights(a, carried);
+        constexpr int stride = Program::size <= 4 ? 4 : 8;
+        alignas(64) float rows[stride * lanes];
+        stride == 4 ? store_fours(a, rows) : store_eights(a, rows);
+        for (int k = 0; k < stride * lanes; k += lanes)
+            past_caches ? stream(load(rows + k), carried + k) : store(load(rows + k), carried + k);
     }
 }
 
 // Vertices first..last-1, `first` a multiple of 16. The window and the carried numbers have room up to the
-// next multiple of 16.
+// next multiple of 16. Carried numbers are not read before shading: where there are so many that they would
+// not stay in the cache until then, they go past it, which saves memory reading what they overwrite.
+inline constexpr std::size_t stays_in_cache = 2 << 20;  // bytes
 template <class Program>
 RELEVO_LANE void transform_vertices(const ModelState& model, const pipeline::Viewport& viewport,
                                     std::uint32_t first, std::uint32_t last) {
+    const std::size_t bytes = model.vertices.size() * std::size_t(model.stride) * sizeof(float);
+    const bool past_caches = bytes > stays_in_cache;
     for (std::size_t i = first; i < last; i += lanes) {
         SnappedCorner* window = model.window + i;
         float* carried = model.carried + i * std::size_t(model.stride);
         if (i + lanes <= last) {
-            transform_group<Program>(model, viewport, &model.vertices[i], window, carried);
+            transform_group<Program>(model, viewport, &model.vertices[i], window, carried, past_caches);
         } else {  // the last few of the mesh
             pipeline::Vertex some[lanes];
             for (std::size_t k = 0; k < lanes; ++k)
                 some[k] = model.vertices[std::min<std::size_t>(i + k, last - 1)];
-            transform_group<Program>(model, viewport, some, window, carried);
+            transform_group<Program>(model, viewport, some, window, carried, past_caches);
         }
     }
+    if (past_caches) hwy::FlushStream();
 }
 
 }  // namespace relevo::raster::fast::HWY_NAMESPACE
