@@ -188,7 +188,7 @@ template <template <bool> class Program>
 // The blocks of a row of them that show triangles, a bit each. Numbers below 0 are the background's, or those
 // of fragments.
 struct RowBlocks {
-    std::uint32_t whole = 0, mixed = 0;
+    std::uint32_t whole = 0, mixed = 0, goes_on = 0;
 };
 // Bit k: bits 4 k .. 4 k + 3 are set.
 RELEVO_LANE std::uint32_t all_of_fours(std::uint64_t m) {
@@ -205,7 +205,7 @@ RELEVO_LANE RowBlocks blocks_of_row(const std::uint32_t* visible, int stride, in
     RowBlocks blocks;
     for (int x0 = 0; x0 < width; x0 += part) {
         const int columns = std::min(part, width - x0);
-        std::uint64_t same = 0, none = 0;  // all are like the block's first one; none is 0 or more
+        std::uint64_t same = 0, none = 0, next = 0;  // all are like the block's first one; none is 0 or more
         for (int x = 0; x < columns; x += lanes) {
             const std::uint32_t* from = visible + x0 + x;
             const Ints top = load(from), first = first_of_four(top);
@@ -216,11 +216,13 @@ RELEVO_LANE RowBlocks blocks_of_row(const std::uint32_t* visible, int stride, in
                 like_first = like_first & (row == first), negative = negative & row;
             }
             same |= std::uint64_t{bits(like_first)} << x;
+            next |= std::uint64_t{bits(top == load(from + block_columns))} << x;
             none |= std::uint64_t{bits(is_negative(negative))} << x;
         }
         const int count = (columns + block_columns - 1) / block_columns;
         const std::uint32_t one = all_of_fours(same), seen = ~all_of_fours(none) & ((1u << count) - 1);
         blocks.whole |= (one & seen) << x0 / block_columns;
+        blocks.goes_on |= all_of_fours(next) << x0 / block_columns;
         blocks.mixed |= (~one & seen) << x0 / block_columns;
     }
     return blocks;
@@ -246,13 +248,13 @@ template <template <bool> class Program>
         const std::uint32_t* visible = tile.visible + row * tile.stride;
         RowBlocks blocks = blocks_of_row(visible, tile.stride, at.box.width);
         shaded += static_cast<unsigned>(std::popcount(blocks.whole) * lanes);
+        const std::uint32_t goes_on = blocks.whole & (blocks.whole >> 1) & blocks.goes_on;
         while (blocks.whole != 0) {
             write_background_row(at.draw, at.scratch.background);
-            const int first = std::countr_zero(blocks.whole), most = std::countr_one(blocks.whole >> first);
+            const int first = std::countr_zero(blocks.whole);
             const int column = first * block_columns;
             const std::uint32_t number = visible[column];
-            int count = 1;
-            while (count < most && visible[column + count * block_columns] == number) ++count;
+            const int count = std::countr_one(goes_on >> first) + 1;
             shade_run<Program>(at, waiting, find_setup<Program>(at, kept, number), row, column, count,
                                all_bits);
             blocks.whole &= ~(((2u << (count - 1)) - 1) << first);
