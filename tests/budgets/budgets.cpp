@@ -58,15 +58,17 @@ Mesh points(int vertices) {
 }
 
 // `steps` times `count` right-angled triangles (or their mirror images), side by side where they are seen,
-// `size` pixels a leg, after a layer at distance 2. The vertices are those of two steps, whatever `steps` is.
+// `size` pixels a leg. The vertices are those of two steps, whatever `steps` is. With a layer at distance 2
+// or without: where they stand before it, they would save the colours of its pixels, and hide what they cost.
 struct Field {
     double size, distance;
     double x = 0, y = 0;  // of the first one's right angle
     bool back = false;
+    bool layer = false;
     int count = 32768;
 };
 Mesh field(int steps, const Field& f) {
-    Mesh mesh = layers({2});
+    Mesh mesh = f.layer ? layers({2}) : Mesh{};
     const int pitch = static_cast<int>(f.size) + 1, across = side / pitch, down = side / pitch;
     for (int k = 0; k < 2 * f.count; ++k) {
         const double x = f.x + pitch * (k % across), y = f.y + pitch * (k / across % down);
@@ -74,7 +76,8 @@ Mesh field(int steps, const Field& f) {
                    c = at(x + f.size, y, f.distance);
         add_triangle(mesh, a, f.back ? c : b, f.back ? b : c);
     }
-    mesh.indices.resize(6 + static_cast<std::size_t>(steps) * 3 * static_cast<std::size_t>(f.count));
+    const std::size_t kept = static_cast<std::size_t>(steps) * 3 * static_cast<std::size_t>(f.count);
+    mesh.indices.resize((f.layer ? 6 : 0) + kept);
     return mesh;
 }
 
@@ -102,8 +105,8 @@ std::vector<Row> rows() {
     triangles("triangle beyond the far plane", {.size = 0.9, .distance = 200}, Mode::Unlit);
     triangles("triangle between pixel centres", {.size = 0.4, .distance = 1}, Mode::Unlit);
     const double first = 0.3;  // from the right angle to the only centre: (0.2, 0.2)
-    triangles("triangle of 1 pixel, hidden", {.size = 0.9, .distance = 3, .x = first, .y = first},
-              Mode::Unlit);
+    triangles("triangle of 1 pixel, hidden",
+              {.size = 0.9, .distance = 3, .x = first, .y = first, .layer = true}, Mode::Unlit);
     for (const Mode mode : {Mode::Unlit, Mode::Flat, Mode::Gouraud, Mode::Phong, Mode::Textured})
         triangles("triangle of 1 pixel" + is(mode), {.size = 0.9, .distance = 1, .x = first, .y = first},
                   mode);
