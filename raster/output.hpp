@@ -44,10 +44,13 @@ Real clamped_light(Real c) {
     using pipeline::greater, pipeline::smaller;
     return smaller(greater(c, Real(0)), Real(1));
 }
-template <class Real>
+// Displayable: known to be in [0, 1], or beyond by 2^-20 at most, as rounded interpolation between colours of
+// that range is. Without a clamp it has the same raw codes.
+enum class Light { Any, Displayable };
+template <class Real, Light light = Light::Any>
 Whole<Real> raw_code(Real c) {
     using pipeline::truncated;
-    return truncated(clamped_light(c) * Scalar(255) + Scalar(0.5));
+    return truncated((light == Light::Any ? clamped_light(c) : c) * Scalar(255) + Scalar(0.5));
 }
 template <class Real>
 Whole<Real> srgb_code(Real c) {
@@ -66,14 +69,14 @@ inline Rgba8 to_rgba8(LinearRgb c, Output output) {
     return {to_srgb8(c.r), to_srgb8(c.g), to_srgb8(c.b), 255};
 }
 // The four bytes of Rgba8 in one number, red the lowest.
-template <class Real>
+template <class Real, Light light = Light::Any>
 Word<Real> packed_rgba8(const RgbOf<Real>& c, Output output) {
     const auto pack = [](const Whole<Real>& r, const Whole<Real>& g, const Whole<Real>& b) {
         using pipeline::to_word;
         return to_word(r) | (to_word(g) << 8) | (to_word(b) << 16) | (to_word(Whole<Real>(255)) << 24);
     };
-    return output == Output::Raw ? pack(raw_code(c.r), raw_code(c.g), raw_code(c.b))
-                                 : pack(srgb_code(c.r), srgb_code(c.g), srgb_code(c.b));
+    if (output == Output::Srgb) return pack(srgb_code(c.r), srgb_code(c.g), srgb_code(c.b));
+    return pack(raw_code<Real, light>(c.r), raw_code<Real, light>(c.g), raw_code<Real, light>(c.b));
 }
 
 // The linear light that a stored sRGB code means, in steps of 1/65535 (rounded to nearest).

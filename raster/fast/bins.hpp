@@ -6,6 +6,7 @@
 // A tile draws the lists of all chunks in their order, each merged with its chunk's `wide` ones. Where the
 // room for ids ends, they go to `wide`: slower, but nothing is lost and memory is bounded.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 
 #include "raster/fast/draw_state.hpp"
@@ -29,6 +30,14 @@ struct Chunk {
     std::uint32_t wide_count = 0;
     Counts counts;
 };
+
+// The ids of a tile.
+inline std::size_t listed_in(const Chunk* chunks, int count, int tile) {
+    std::size_t sum = 0;
+    for (const Chunk* chunk = chunks; chunk != chunks + count; ++chunk)
+        sum += std::size_t{chunk->lists[tile].count} + chunk->wide_count;
+    return sum;
+}
 
 // A triangle that may touch more tiles than this is wide.
 inline constexpr int max_listed_tiles = 64;

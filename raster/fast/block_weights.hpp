@@ -56,6 +56,18 @@ RELEVO_LANE CarriedPlanes<Program> select(Bools mask, const CarriedPlanes<Progra
     return c;
 }
 
+// Of pixels that are lit at the corners. Number after number: an array of all would be written to memory.
+template <class Program>
+RELEVO_LANE RgbOf<Floats> color_at(const Surface& surface, const CarriedPlanes<Program>& planes,
+                                   const PerspectiveWeightsOf<Floats>& weights) {
+    Floats carried[Program::size];
+    for (std::size_t j = 0; j < Program::size; ++j) {
+        const auto& [a0, d1, d2] = planes.plane;
+        carried[j] = interpolate(VaryingPlane<1, Floats>{{a0[j]}, {d1[j]}, {d2[j]}}, weights)[0];
+    }
+    return Program::template pixel<Floats>(surface, planes.face, carried);
+}
+
 // ------------------------------------------------------------------------------------------ one triangle
 // At one block of a row after the other.
 struct RunOfBlocks {

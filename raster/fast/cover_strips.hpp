@@ -53,8 +53,10 @@ struct StripRows {
     // S times these bounds the rows from above, or from below; with factor 0 it does not, as all_rows is
     // added.
     double from_factor[3], to_factor[3], all_rows[3], last;
+    int columns;
 
-    RELEVO_LANE StripRows(const EdgeSigns& signs, int rows) : last(rows - 1) {
+    RELEVO_LANE StripRows(const EdgeSigns& signs, int rows, int of_strip)
+        : last(rows - 1), columns(of_strip) {
         for (int j = 0; j < 3; ++j) {
             const double down = signs.down[j], quotient = -1 / (down == 0 ? 1e-300 : down);
             const bool from = down >= 0;
@@ -67,7 +69,7 @@ struct StripRows {
         double from = 0, to = last;
         for (int j = 0; j < 3; ++j) {
             const double across = signs.across[j],
-                         s = signs.first[j] + column * across + (across > 0 ? (lanes - 1) * across : 0);
+                         s = signs.first[j] + column * across + (across > 0 ? (columns - 1) * across : 0);
             from = std::max(from, s * from_factor[j]);
             to = std::min(to, s * to_factor[j] + all_rows[j]);
         }
@@ -77,54 +79,87 @@ struct StripRows {
     }
 };
 
+// What becomes of the pixels that are seen, beside their depth. Here: each shows a number, in rows of `to`.
+struct ShowNumber {
+    static constexpr int columns = lanes;  // of a strip
+    Ints number;
+    std::uint32_t* to;  // null: nowhere
+    int stride;
+    std::uint32_t* row = nullptr;
+
+    // at: its first pixel in the tile's memory; so many registers; the edge values of the first one, and what
+    // their sum changes by from register to register.
+    RELEVO_LANE void begin_strip(int at, int, const Doubles&, const Doubles&, double) {
+        if (to != nullptr) row = to + at;
+    }
+    RELEVO_LANE void show(Bools seen, const Doubles&, const Doubles&) {
+        if (to != nullptr) store_where(seen, number, row), row += stride;
+    }
+};
+
 // One triangle in strips of N columns, a pixel a lane, row after row. Without `crossed` every pixel of the
 // part is covered.
-template <bool crossed>
+template <bool crossed, class Show>
 RELEVO_LANE void cover_strips(const StoredSetup& s, int k, const BoxPart& box, const EdgeSigns& signs,
-                              std::uint32_t number, const Nearness& nearness, const TileMemory& tile) {
+                              Show& show, const Nearness& nearness, const TileMemory& tile) {
+    constexpr int columns = Show::columns, rows = rows_of_lanes<columns>;
     const Interpolator plane{s.z0[k], s.g1[k], s.g2[k], 0, 0, 0};
     const double step1 = 256.0 * s.dy2[k], step2 = -256.0 * s.dy1[k], down1 = -256.0 * s.dx2[k],
                  down2 = 256.0 * s.dx1[k];
-    const Doubles lane = to_wide(lane_numbers());
-    const Doubles lane1 = lane * step1, lane2 = lane * step2;
-    const auto of_lanes = [&](int j) { return lane_numbers() * Ints(signs.across[j]); };
-    const Ints lane_sign0 = of_lanes(0), lane_sign1 = of_lanes(1), lane_sign2 = of_lanes(2);
-    const Ints numbers(static_cast<std::int32_t>(number));
-    const bool keeps_visible = tile.visible != nullptr;
-    const StripRows strip_rows(signs, box.y1 - box.y0 + 1);
-    for (int x = box.x0 / lanes * lanes; x <= box.x1; x += lanes) {
+    const Ints lane_x = lane_columns_of<columns>(), lane_y = lane_rows_of<columns>();
+    // What a plane is at each lane's pixel more than at the first one's.
+    const auto of_lanes = [&]<class Number>(Number x, Number y, auto across, auto down) {
+        if constexpr (rows == 1)
+            return x * Number(across);
+        else
+            return x * Number(across) + y * Number(down);
+    };
+    const Doubles wide_x = to_wide(lane_x), wide_y = to_wide(lane_y);
+    const Doubles lane1 = of_lanes(wide_x, wide_y, step1, down1),
+                  lane2 = of_lanes(wide_x, wide_y, step2, down2);
+    const auto sign_of_lanes = [&](int j) {
+        return of_lanes(lane_x, lane_y, signs.across[j], signs.down[j]);
+    };
+    const Ints lane_sign0 = sign_of_lanes(0), lane_sign1 = sign_of_lanes(1), lane_sign2 = sign_of_lanes(2);
+    const StripRows rows_of(signs, box.y1 - box.y0 + 1, columns);
+    for (int x = box.x0 / columns * columns; x <= box.x1; x += columns) {
         const int column = x - box.x0;
         int first_row = 0, last_row = box.y1 - box.y0;
         if constexpr (crossed) {
-            strip_rows.find(signs, column, first_row, last_row);
+            rows_of.find(signs, column, first_row, last_row);
             if (first_row > last_row) continue;
         }
         // mod 2^32: a strip may begin before the part, where S needs not fit
-        const auto sign = [&](int j, Ints of_lane) {
+        const auto first_sign = [&](int j, Ints of_lane) {
             const auto word = [](std::int32_t a) { return static_cast<std::uint32_t>(a); };
             return of_lane + Ints(static_cast<std::int32_t>(word(signs.first[j]) +
                                                             word(column) * word(signs.across[j]) +
                                                             word(first_row) * word(signs.down[j])));
         };
-        Ints sign0 = sign(0, lane_sign0), sign1 = sign(1, lane_sign1), sign2 = sign(2, lane_sign2);
+        Ints sign0 = first_sign(0, lane_sign0), sign1 = first_sign(1, lane_sign1),
+             sign2 = first_sign(2, lane_sign2);
         Doubles e1 = lane1 + (box.e1 + (column * step1 + first_row * down1)),
                 e2 = lane2 + (box.e2 + (column * step2 + first_row * down2));
-        const Ints place = Ints(x) + lane_numbers();
+        const Ints place = Ints(x) + lane_x;
         const Bools in_box = !(place < Ints(box.x0)) && !(place > Ints(box.x1));
         const int at = (box.y0 + first_row) * tile.stride + x;
         float* near = tile.nearness + at;
-        std::uint32_t* visible = keeps_visible ? tile.visible + at : nullptr;
-        for (int y = first_row; y <= last_row; ++y) {
+        show.begin_strip(at, (last_row - first_row + rows) / rows, e1, e2, rows * (down1 + down2));
+        Ints left = Ints(last_row - first_row) - lane_y;
+        for (int y = first_row; y <= last_row; y += rows) {
             const Floats z = nearness(depth<Floats>(plane, {0.0, e1, e2}));
-            Bools seen = in_box && z > load(near);
-            if constexpr (crossed) seen = seen && !is_negative(sign0 | sign1 | sign2);
-            store_where(seen, z, near);
-            if (keeps_visible) store_where(seen, numbers, visible), visible += tile.stride;
-            near += tile.stride;
-            e1 = e1 + down1, e2 = e2 + down2;
+            Bools seen = in_box && z > load_rows<columns>(near, tile.stride);
+            Ints sign(0);
+            if constexpr (rows > 1) sign = left, left = left - Ints(rows);
+            if constexpr (crossed) sign = sign | sign0 | sign1 | sign2;
+            if constexpr (crossed || rows > 1) seen = seen && sign > Ints(-1);
+            store_rows_where<columns>(seen, z, near, tile.stride);
+            show.show(seen, e1, e2);
+            near += rows * tile.stride;
+            e1 = e1 + rows * down1, e2 = e2 + rows * down2;
             if constexpr (crossed)
-                sign0 = sign0 + Ints(signs.down[0]), sign1 = sign1 + Ints(signs.down[1]),
-                sign2 = sign2 + Ints(signs.down[2]);
+                sign0 = sign0 + Ints(rows * signs.down[0]), sign1 = sign1 + Ints(rows * signs.down[1]),
+                sign2 = sign2 + Ints(rows * signs.down[2]);
         }
     }
 }
@@ -135,7 +170,8 @@ inline constexpr int part_side = 64;
 inline constexpr std::int64_t largest_difference =  // of two corners' coordinates
     std::int64_t{pipeline::guard_band} * pipeline::max_picture_size * pipeline::subpixels;
 static_assert((part_side - 1) * 2 * largest_difference < std::int64_t{1} << 31);
-RELEVO_LANE void cover_part(const StoredSetup& s, int k, const BoxPart& box, std::uint32_t number,
+template <class Show>
+RELEVO_LANE void cover_part(const StoredSetup& s, int k, const BoxPart& box, Show& show,
                             const Nearness& nearness, const TileMemory& tile) {
     const int width = box.x1 - box.x0, height = box.y1 - box.y0;
     EdgeSigns signs = steps_of(s, k);
@@ -156,14 +192,15 @@ RELEVO_LANE void cover_part(const StoredSetup& s, int k, const BoxPart& box, std
         !touches(2, box.e2 - s.bias2[k]))
         return;
     if (crossed)
-        cover_strips<true>(s, k, box, signs, number, nearness, tile);
+        cover_strips<true>(s, k, box, signs, show, nearness, tile);
     else
-        cover_strips<false>(s, k, box, signs, number, nearness, tile);
+        cover_strips<false>(s, k, box, signs, show, nearness, tile);
 }
 
 // Triangle k. Of a large one the box is taken in parts: fewer of them are crossed by an edge.
-RELEVO_LANE void cover_triangle(const StoredSetup& s, int k, bool small, std::uint32_t number,
-                                const Nearness& nearness, const TileMemory& tile) {
+template <class Show>
+RELEVO_LANE void cover_triangle(const StoredSetup& s, int k, bool small, Show& show, const Nearness& nearness,
+                                const TileMemory& tile) {
     const double px = s.left[k], py = s.above[k];
     // + 0.0: an edge value of 0 is +0, as a whole number's is
     const double e1 = (px * s.dy2[k] - py * s.dx2[k]) + 0.0, e2 = (s.dx1[k] * py - s.dy1[k] * px) + 0.0;
@@ -172,7 +209,7 @@ RELEVO_LANE void cover_triangle(const StoredSetup& s, int k, bool small, std::ui
         EdgeSigns signs = steps_of(s, k);
         const double e[3] = {s.area[k] - e1 - e2 - s.bias0[k], e1 - s.bias1[k], e2 - s.bias2[k]};
         for (int j = 0; j < 3; ++j) signs.first[j] = static_cast<std::int32_t>(e[j]) >> 8;
-        return cover_strips<true>(s, k, {x0, y0, x1, y1, e1, e2}, signs, number, nearness, tile);
+        return cover_strips<true>(s, k, {x0, y0, x1, y1, e1, e2}, signs, show, nearness, tile);
     }
     for (int y = y0, last_y; y <= y1; y = last_y + 1) {
         last_y = std::min(y | (part_side - 1), y1);
@@ -182,7 +219,7 @@ RELEVO_LANE void cover_triangle(const StoredSetup& s, int k, bool small, std::ui
             cover_part(s, k,
                        {x, y, last_x, last_y, e1 + (across * s.dy2[k] - down * s.dx2[k]),
                         e2 + (down * s.dx1[k] - across * s.dy1[k])},
-                       number, nearness, tile);
+                       show, nearness, tile);
         }
     }
 }

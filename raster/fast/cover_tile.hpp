@@ -4,6 +4,8 @@
 //   visible    of each pixel: its triangle, by the place in the tile's list of ids (and fragments.hpp's
 //              kept_bit)
 //
+// Where tiles are painted (paint_triangles.hpp), colours stand in place of `visible`.
+//
 // Set-up is N triangles at a time, a lane each; then small ones together (cover_boxes.hpp) and others alone
 // (cover_strips.hpp), all exactly as the textbook path. Groups, and triangles in strips, are drawn in
 // their order, so that strict comparison keeps the first of equal depths; within a group of boxes the number
@@ -11,6 +13,7 @@
 #pragma once
 #include "raster/fast/cover_boxes.hpp"
 #include "raster/fast/cover_strips.hpp"
+#include "raster/fast/paint_triangles.hpp"
 #include "raster/fast/read_bins.hpp"
 #include "raster/fast/stages.hpp"
 
@@ -19,8 +22,12 @@ namespace relevo::raster::fast::HWY_NAMESPACE {
 RELEVO_LANE Ints bias_of(Ints dx, Ints dy) { return select(is_top_left(dx, dy), Ints(0), Ints(1)); }
 
 // N triangles of the tile.
-RELEVO_LANE void cover_group(const DrawState& draw, TileScratch& scratch, const TileBox& box,
-                             const GroupCorners& corners, std::uint32_t first_number, int count_in_group) {
+template <class Painter>
+RELEVO_LANE void cover_group(Painter& painter, const TileAt& at, const GroupCorners& corners,
+                             std::uint32_t first_number, int count_in_group) {
+    const DrawState& draw = at.draw;
+    TileScratch& scratch = at.scratch;
+    const TileBox& box = at.box;
     const TileMemory& tile = scratch.tile;
     const Nearness nearness = nearness_of(draw);
     const auto triangle = canonical_order(corners.a, corners.b, corners.c);
@@ -62,6 +69,7 @@ RELEVO_LANE void cover_group(const DrawState& draw, TileScratch& scratch, const 
                            (y0 - Ints(box.y0)) * Ints(tile.stride) + (x0 - Ints(box.x0)),
                            columns,
                            rows};
+        painter.stop(at);
         Fragments& fragments = scratch.fragments;
         if (is_full(fragments) && !fragments.stays_full) {
             drop_hidden(tile, fragments);
@@ -73,8 +81,7 @@ RELEVO_LANE void cover_group(const DrawState& draw, TileScratch& scratch, const 
         return cover_boxes(tile, fragments, walk, corners, triangle, plane, nearness, first_number,
                            most_columns, most_rows, keep);
     }
-    scratch.in_blocks = true;
-
+    painter.expect(at, smaller(rounded(triangle.area * Doubles(0x1p-17)), to_real(columns * rows)));
     StoredSetup s;
     store(plane.z0, s.z0), store(plane.g1, s.g1), store(plane.g2, s.g2), store(triangle.area, s.area);
     store(x0 - Ints(box.x0), s.x0), store(x1 - Ints(box.x0), s.x1);
@@ -86,34 +93,44 @@ RELEVO_LANE void cover_group(const DrawState& draw, TileScratch& scratch, const 
     for (std::uint32_t rest = valid_bits; rest != 0; rest &= rest - 1) {
         const int k = std::countr_zero(rest);
         write_background_row(draw, scratch.background);
-        cover_triangle(s, k, small_bits >> k & 1, first_number + static_cast<std::uint32_t>(k), nearness,
-                       tile);
+        const std::uint32_t number = first_number + static_cast<std::uint32_t>(k);
+        const bool is_small = small_bits >> k & 1;
+        if constexpr (!std::is_same_v<Painter, NoPainter>) {
+            if (painter.paints()) {
+                painter.paint(at, s, k, is_small, number, nearness);
+                continue;
+            }
+        }
+        scratch.in_blocks = true;
+        ShowNumber show{Ints(static_cast<std::int32_t>(number)), tile.visible, tile.stride};
+        cover_triangle(s, k, is_small, show, nearness, tile);
     }
 }
 
-// Draws the tile's triangles into its memory. Returns their number; when it is 0, the memory is untouched.
-RELEVO_LANE int cover_tile(const DrawState& draw, const Chunk* chunks, int chunk_count, TileScratch& scratch,
-                           int tile_number, const TileBox& box) {
+// Draws the triangles of the list into the tile's memory, which is untouched when there are none.
+template <class Painter>
+RELEVO_LANE void cover_tile(Painter& painter, TileAt& at, TileIds& list) {
+    const DrawState& draw = at.draw;
+    TileScratch& scratch = at.scratch;
     const TileMemory& tile = scratch.tile;
-    TileIds list(draw, chunks, chunk_count, tile_number, scratch.ids);
     list.read(1);
-    if (list.known() == 0) return 0;
+    if (list.known() == 0) return;
 
     scratch.fragments.end = scratch.fragments.kept = scratch.fragments.group_count = 0;
-    scratch.in_blocks = scratch.fragments.stays_full = false;
+    scratch.in_blocks = scratch.fragments.stays_full = scratch.painted = false;
     const Floats cleared = cleared_nearness(draw);
     const Ints none(static_cast<std::int32_t>(nothing));
-    const int rows = (box.height + block_rows - 1) / block_rows * block_rows;
-    for (int k = 0; k < rows * tile.stride; k += lanes) {
+    const bool shows_numbers = tile.visible != nullptr && !painter.paints();
+    for (int k = 0, pixels = at.rows_of_blocks() * tile.stride; k < pixels; k += lanes) {
         store(cleared, tile.nearness + k);
-        if (tile.visible != nullptr) store(none, tile.visible + k);
+        if (shows_numbers) store(none, tile.visible + k);
     }
     for (int first = 0; list.read(first + 2 * ids_ahead + lanes), first < list.known(); first += lanes) {
-        const int known = list.known() - first, n = known < lanes ? known : lanes;
-        cover_group(draw, scratch, box, load_group(draw, scratch.ids + first, n, known),
+        at.listed = list.known();
+        const int known = at.listed - first, n = known < lanes ? known : lanes;
+        cover_group(painter, at, load_group(draw, scratch.ids + first, n, known),
                     static_cast<std::uint32_t>(first), n);
     }
-    return list.known();
 }
 
 }  // namespace relevo::raster::fast::HWY_NAMESPACE

@@ -37,7 +37,7 @@ struct WorkerMemory {
     Buffer<Scalar> nearness;
     Buffer<std::uint32_t> visible, color, ids, fragment_place;
     Buffer<std::int32_t> fragment_e1, fragment_e2;
-    Buffer<std::byte> kept, waiting, fragment_groups;
+    Buffer<std::byte> kept, waiting, painting, fragment_groups;
     TileScratch scratch;
     std::uint64_t shaded_pixels = 0;
 };
@@ -72,8 +72,8 @@ std::size_t Workspace::bytes() const {
         sum += c.lists.bytes() + c.words.bytes() + bytes_of(c.wide) + bytes_of(c.names) + bytes_of(c.pieces);
     for (const WorkerMemory& w : memory_->workers)
         sum += w.nearness.bytes() + w.visible.bytes() + w.color.bytes() + w.ids.bytes() + w.kept.bytes() +
-               w.waiting.bytes() + w.fragment_place.bytes() + w.fragment_e1.bytes() + w.fragment_e2.bytes() +
-               w.fragment_groups.bytes();
+               w.waiting.bytes() + w.painting.bytes() + w.fragment_place.bytes() + w.fragment_e1.bytes() +
+               w.fragment_e2.bytes() + w.fragment_groups.bytes();
     return sum + bytes_of(memory_->models) + bytes_of(memory_->chunks) + bytes_of(memory_->workers) +
            bytes_of(memory_->touched) + bytes_of(memory_->empty) + bytes_of(memory_->states) +
            bytes_of(memory_->chunk_states) + bytes_of(memory_->pieces);
@@ -312,6 +312,7 @@ class FastDraw {
             counts_.vertices += state.vertices.size();
         }
         draw_.models = memory_.states;
+        draw_.paints = can_be_painted(draw_);
     }
 
     void transform() {
@@ -373,11 +374,12 @@ class FastDraw {
         const std::size_t fragments = 4 * pixels, with_slack = fragments + fragment_slack;
         const std::size_t group_bytes = 20 * fragments;  // of 16 lanes: for groups of 26 fragments
         for (WorkerMemory& worker : memory_.workers) {
-            worker.scratch = {.tile = {stride, worker.nearness.room_for(pixels),
+            worker.scratch = {.tile = {stride, worker.nearness.room_for(pixels + std::size_t(stride)),
                                        shows_one_color(draw_) ? nullptr : worker.visible.room_for(pixels),
                                        worker.color.room_for(pixels)},
                               .kept = worker.kept.room_for(kept_bytes),
                               .waiting = worker.waiting.room_for(waiting_bytes),
+                              .painting = worker.painting.room_for(painting_bytes),
                               .fragments = {.place = worker.fragment_place.room_for(with_slack),
                                             .e1 = worker.fragment_e1.room_for(with_slack),
                                             .e2 = worker.fragment_e2.room_for(with_slack),
@@ -386,23 +388,20 @@ class FastDraw {
                                             .group_bytes = group_bytes}};
             worker.shaded_pixels = 0;
         }
-        const auto listed_in = [&](int tile) {
-            std::size_t sum = 0;
-            for (const Chunk& chunk : memory_.chunk_states)
-                sum += std::size_t{chunk.lists[tile].count} + chunk.wide_count;
-            return sum;
+        const auto listed = [&](int tile) {
+            return listed_in(memory_.chunk_states.data(), static_cast<int>(chunk_count_), tile);
         };
         // touched tiles, each with some of the others to write meanwhile; then what is left of these
         std::vector<int>&touched = memory_.touched, &empty = memory_.empty;
         touched.clear(), empty.clear();
         for (int tile = 0; tile < draw_.tiles_across * draw_.tiles_down; ++tile)
-            (listed_in(tile) > 0 ? touched : empty).push_back(tile);
+            (listed(tile) > 0 ? touched : empty).push_back(tile);
         const std::size_t items = touched.size(), shared = std::min(empty.size(), 4 * items);
         each(static_cast<int>(items + empty.size() - shared), [&](int item, int w) {
             WorkerMemory& worker = memory_.workers[std::size_t(w)];
             const std::size_t k = std::size_t(item);
             const int tile = k < items ? touched[k] : empty[shared + (k - items)];
-            worker.scratch.ids = worker.ids.room_for(listed_in(tile) + first_block);
+            worker.scratch.ids = worker.ids.room_for(listed(tile) + first_block);
             if (k < items) {
                 const std::size_t first = shared * k / items, last = shared * (k + 1) / items;
                 worker.scratch.background = {empty.data() + first, static_cast<int>(last - first)};

@@ -9,6 +9,7 @@
 //   2^31 + chunk, index     piece: what clipping made of one (bits 25..30: chunk, bits 0..24: index in it)
 //   2^32-1                  nothing: the background
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -79,6 +80,7 @@ struct DrawState {
     Scalar* depth = nullptr;
     pipeline::LinearRgb* linear = nullptr;  // null: nobody asked
     std::uint32_t* visible = nullptr;       // primitive of each pixel; null: nobody asked
+    bool paints = false;                    // can_be_painted()
 };
 
 inline const Pieces& pieces_of(const DrawState& draw, std::uint32_t id) {
@@ -111,6 +113,14 @@ inline std::uint32_t model_of(const DrawState& draw, std::uint32_t primitive) {
 inline bool shows_one_color(const DrawState& draw) {
     return draw.settings.shading == Shading::Unlit && draw.models.size() == 1 && !draw.models[0].textured &&
            draw.linear == nullptr && draw.visible == nullptr;
+}
+
+// Every pixel can be coloured as soon as it is seen (paint_triangles.hpp).
+inline bool can_be_painted(const DrawState& draw) {
+    const auto textured = [](const ModelState& model) { return model.textured; };
+    return (draw.settings.shading == Shading::Flat || draw.settings.shading == Shading::Gouraud) &&
+           draw.linear == nullptr && draw.visible == nullptr &&
+           std::none_of(draw.models.begin(), draw.models.end(), textured);
 }
 
 // The memory of one tile, of one worker. Rows are `stride` long: a register may reach past the tile's end.

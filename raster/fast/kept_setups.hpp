@@ -11,6 +11,7 @@
 #pragma once
 #include "raster/fast/shade_setup.hpp"
 #include "raster/fast/stages.hpp"
+#include "raster/fast/tile_at.hpp"
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
@@ -22,8 +23,17 @@ struct SetupGroup {
     float face[6][lanes];                // amount, gloss
     float color[3][lanes];               // where nothing is carried: of every pixel
     std::int32_t packed[lanes], model[lanes];
+    std::int32_t displayable[lanes];  // whether no clamp is needed (output.hpp)
+
     bool small;  // all triangles are
 };
+
+// Calls use() with what is known of the light: in the type, so that each has code of its own.
+template <class Use>
+RELEVO_LANE void with_light_of(bool displayable, Use&& use) {
+    displayable ? use(std::integral_constant<Light, Light::Displayable>())
+                : use(std::integral_constant<Light, Light::Any>());
+}
 
 struct KeptSetups {
     static constexpr std::uint32_t slots = kept_triangles / lanes;
@@ -77,12 +87,41 @@ RELEVO_LANE void keep(const DrawState& draw, std::uint32_t model, const LaneSetu
             put(plane.a0[0], to.plane[j][0]), put(plane.d1[0], to.plane[j][1]);
             put(plane.d2[0], to.plane[j][2]);
         }
+        if constexpr (std::is_same_v<Program, Gouraud<false>>) {
+            Bools within = first_lanes(lanes);
+            for (int c = 0; c < 3; ++c)
+                for (std::size_t j = 0; j < Program::size; ++j)
+                    within = within && s.carried[c][j] >= Floats(0.f) && s.carried[c][j] <= Floats(1.f);
+            put_words(select(within, Ints(1), Ints(0)), to.displayable);
+        }
         if constexpr (Program::needs_face) {
             put(s.face.amount.r, to.face[0]), put(s.face.amount.g, to.face[1]);
             put(s.face.amount.b, to.face[2]);
             put(s.face.gloss.r, to.face[3]), put(s.face.gloss.g, to.face[4]), put(s.face.gloss.b, to.face[5]);
         }
     }
+}
+
+template <template <bool> class Program>
+[[gnu::noinline, gnu::flatten]] void prepare(const TileAt& at, std::uint32_t group, KeptSetups& kept) {
+    const std::uint32_t first = group * lanes, slot = group % KeptSetups::slots;
+    const int left = at.listed - static_cast<int>(first);
+    kept.groups[slot].small = true;  // until one is not
+    for_each_model(at.draw, load(at.scratch.ids + first), bits(first_lanes(left < lanes ? left : lanes)),
+                   [&](std::uint32_t number, std::uint32_t which, const LaneIds& ids) RELEVO_INSIDE {
+                       const ModelState& model = at.draw.models[number];
+                       with_texture<Program>(model, [&]<class P>(P) RELEVO_INSIDE {
+                           keep(at.draw, number, set_up<P>(at.draw, model, ids), at.box.x0, at.box.y0, which,
+                                kept.groups[slot]);
+                       });
+                   });
+    kept.tag[slot] = group;
+}
+template <template <bool> class Program>
+RELEVO_LANE KeptSetup find_setup(const TileAt& at, KeptSetups& kept, std::uint32_t number) {
+    const std::uint32_t group = number / lanes;
+    if (!kept.holds(group)) prepare<Program>(at, group, kept);
+    return {&kept.group(group), number % lanes};
 }
 
 }  // namespace relevo::raster::fast::HWY_NAMESPACE

@@ -131,6 +131,7 @@ RELEVO_LANE Floats smaller(Floats a, Floats b) { return Floats(hn::Min(a.v, b.v)
 RELEVO_LANE Floats sqrt(Floats a) { return Floats(hn::Sqrt(a.v)); }
 RELEVO_LANE Floats floor(Floats a) { return Floats(hn::Floor(a.v)); }
 RELEVO_LANE Bools is_finite(Floats a) { return {hn::IsFinite(a.v)}; }
+RELEVO_LANE float sum(Floats a) { return hn::GetLane(hn::SumOfLanes(TagF(), a.v)); }
 RELEVO_LANE Floats select(Bools mask, Floats yes, Floats no) {
     return Floats(hn::IfThenElse(mask.m, yes.v, no.v));
 }
@@ -302,6 +303,27 @@ RELEVO_LANE Ints compress(Ints a, Bools mask) {
 #endif
 RELEVO_LANE Floats compress(Floats a, Bools mask) { return bits_float(compress(float_bits(a), mask)); }
 
+// The numbers at the front go to the lanes that are true, in their order; the others hold anything.
+#if HWY_TARGET <= HWY_AVX3
+RELEVO_LANE Ints expand(Ints a, Bools mask) {
+    return Ints(hn::Vec<TagI>{_mm512_maskz_expand_epi32(mask.m.raw, a.v.raw)});
+}
+#else
+inline constexpr LaneOrders lane_ranks = [] {
+    LaneOrders ranks{};
+    for (int mask = 0; mask < 1 << lanes; ++mask)
+        for (int k = 0, n = 0; k < lanes; ++k) {
+            ranks.of[mask][k] = static_cast<std::uint8_t>(n);
+            if (mask >> k & 1 && n + 1 < lanes) ++n;
+        }
+    return ranks;
+}();
+RELEVO_LANE Ints expand(Ints a, Bools mask) {
+    const auto rank = hn::LoadU(hn::Rebind<std::uint8_t, TagI>(), lane_ranks.of[bits(mask)]);
+    return Ints(hn::TableLookupLanes(a.v, hn::IndicesFromVec(TagI(), hn::PromoteTo(TagI(), rank))));
+}
+#endif
+
 // In each lane the number of another one: the same for many registers.
 struct Picked {
     decltype(hn::IndicesFromVec(TagI(), hn::Zero(TagI()))) by;
@@ -438,6 +460,43 @@ RELEVO_LANE void store_block(Ints a, std::uint32_t* p, int stride) {
         }
     };
     rows(rows, a.v, 0);
+}
+
+// Lanes as rows of `columns` pixels, N of them or, in AVX-512, 8: lane k is pixel (k % columns, k / columns).
+template <int columns>
+inline constexpr int rows_of_lanes = lanes / columns;
+template <int columns>
+RELEVO_LANE Ints lane_columns_of() {
+    return lane_numbers() & Ints(columns - 1);
+}
+template <int columns>
+RELEVO_LANE Ints lane_rows_of() {
+    return lane_numbers() >> std::countr_zero(0u + columns);
+}
+template <int columns>
+RELEVO_LANE Floats load_rows(const float* p, [[maybe_unused]] int stride) {
+    if constexpr (columns == lanes)
+        return load(p);
+    else
+        return Floats(hn::Combine(TagF(), hn::LoadU(HalfF(), p + stride), hn::LoadU(HalfF(), p)));
+}
+template <int columns>
+RELEVO_LANE void store_rows_where(Bools mask, Floats a, float* p, [[maybe_unused]] int stride) {
+#if HWY_TARGET == HWY_AVX3
+    if constexpr (columns < lanes) {
+        _mm256_mask_storeu_ps(p, static_cast<__mmask8>(mask.m.raw), _mm512_castps512_ps256(a.v.raw));
+        _mm256_mask_storeu_ps(p + stride, static_cast<__mmask8>(mask.m.raw >> 8),
+                              _mm512_extractf32x8_ps(a.v.raw, 1));
+        return;
+    }
+#else
+    static_assert(columns == lanes);
+#endif
+    store_where(mask, a, p);
+}
+template <int columns>
+RELEVO_LANE void store_rows_where(Bools mask, Ints a, std::uint32_t* p, int stride) {
+    store_rows_where<columns>(mask, bits_float(a), reinterpret_cast<float*>(p), stride);
 }
 
 // f of each lane, one after the other: for the rare formula that is only written for one.

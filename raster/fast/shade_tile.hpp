@@ -9,6 +9,8 @@
 //           that it shows from the group that this one was set up in
 // The numbers that a block's pixels get then wait for light (waiting_light.hpp).
 #pragma once
+#include <numeric>
+
 #include "raster/fast/block_weights.hpp"
 #include "raster/fast/cover_tile.hpp"
 #include "raster/fast/shade_fragments.hpp"
@@ -16,46 +18,24 @@
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
-// ------------------------------------------------------------------------------------------------ set-ups
-template <template <bool> class Program>
-[[gnu::noinline, gnu::flatten]] void prepare(const TileAt& at, std::uint32_t group, KeptSetups& kept) {
-    const std::uint32_t first = group * lanes, slot = group % KeptSetups::slots;
-    const int left = at.listed - static_cast<int>(first);
-    kept.groups[slot].small = true;  // until one is not
-    for_each_model(at.draw, load(at.scratch.ids + first), bits(first_lanes(left < lanes ? left : lanes)),
-                   [&](std::uint32_t number, std::uint32_t which, const LaneIds& ids) RELEVO_INSIDE {
-                       const ModelState& model = at.draw.models[number];
-                       with_texture<Program>(model, [&]<class P>(P) RELEVO_INSIDE {
-                           keep(at.draw, number, set_up<P>(at.draw, model, ids), at.box.x0, at.box.y0, which,
-                                kept.groups[slot]);
-                       });
-                   });
-    kept.tag[slot] = group;
-}
-template <template <bool> class Program>
-RELEVO_LANE KeptSetup find_setup(const TileAt& at, KeptSetups& kept, std::uint32_t number) {
-    const std::uint32_t group = number / lanes;
-    if (!kept.holds(group)) prepare<Program>(at, group, kept);
-    return {&kept.group(group), number % lanes};
-}
-
 // ------------------------------------------------------------------------------------------------ whole
 // Pixels that can be coloured at once, in two loops: the weights of all blocks first, then their colours.
 template <class P>
 RELEVO_LANE void color_run(const TileAt& at, const Surface& surface, const CarriedPlanes<P>& planes,
-                           RunOfBlocks run, int row, int column, int count, std::uint32_t which) {
+                           RunOfBlocks run, int row, int column, int count, std::uint32_t which,
+                           bool displayable) {
     alignas(64) float b1[max_tile / block_columns][lanes], b2[max_tile / block_columns][lanes];
     for (int n = 0; n < count; ++n, run.next()) {
         const PerspectiveWeightsOf<Floats> weights = run.weights();
         store(weights.b1, b1[n]), store(weights.b2, b2[n]);
     }
     const BlockRow blocks(at, row);
-    for (int n = 0; n < count; ++n, column += block_columns) {
-        const PerspectiveWeightsOf<Floats> weights{load(b1[n]), load(b2[n]), {}};
-        const std::array<Floats, P::size> carried = interpolate(planes.plane, weights);
-        const RgbOf<Floats> c = P::template pixel<Floats>(surface, planes.face, carried.data());
-        blocks.write(at, column, which, packed_rgba8<Floats>(c, blocks.output), c);
-    }
+    with_light_of(displayable, [&]<class Range>(Range) RELEVO_INSIDE {
+        for (int n = 0; n < count; ++n, column += block_columns) {
+            const RgbOf<Floats> c = color_at<P>(surface, planes, {load(b1[n]), load(b2[n]), {}});
+            blocks.write(at, column, which, packed_rgba8<Floats, Range::value>(c, blocks.output), c);
+        }
+    });
 }
 
 // `count` blocks of a row, from (row, column) on: what of them shows the triangle, of whole ones everything.
@@ -75,7 +55,8 @@ RELEVO_LANE void shade_run(const TileAt& at, WaitingPixels& waiting, const KeptS
             const CarriedPlanes<P> planes = carried_planes<P>(group, of);
             RunOfBlocks run(group, of, row, column);
             if constexpr (is_lit_at_once<P>) {
-                color_run<P>(at, model.setup.surface, planes, run, row, column, count, which);
+                color_run<P>(at, model.setup.surface, planes, run, row, column, count, which,
+                             of(group.displayable));
             } else {
                 for (int n = 0; n < count; ++n, column += block_columns, run.next())
                     wait_for_light<Program, P>(at, waiting, model,
@@ -281,12 +262,14 @@ template <template <bool> class Program>
 RELEVO_LANE std::uint64_t shade_plane(const TileAt& at) {
     const TileMemory& tile = at.scratch.tile;
     const int rows = (at.box.height + block_rows - 1) / block_rows * block_rows;
-    int covered = 0;
+    int covered = 0, before = 0;
     for (int k = 0; k < rows * tile.stride; k += lanes) {
         const Ints number = load(tile.visible + k);
         covered += count(is_negative(number) && !(number == Ints(-1)));
+        before += count(number == Ints(INT32_MIN));
     }
-    std::uint64_t shaded = shade_fragments<Program>(at, covered);
+    if (!at.scratch.painted) before = 0;
+    std::uint64_t shaded = shade_fragments<Program>(at, covered - before) + std::uint64_t(before);
     if (at.scratch.in_blocks) return shaded + shade_blocks<Program>(at);
     for (int y = 0; y < at.box.height; ++y) {
         write_shaded_row(at, y);
@@ -301,33 +284,47 @@ RELEVO_LANE std::uint64_t shade_any(const TileAt& at) {
     return at.has_plane ? shade_plane<Program>(at) : shade_blocks<Program>(at);
 }
 
-// Everything is of one colour.
-RELEVO_LANE std::uint64_t shade_one_color(const TileAt& at) {
-    const DrawState& draw = at.draw;
+// Where depth alone tells what is covered: color(row, k) of the covered pixels.
+template <class Color>
+RELEVO_LANE std::uint64_t write_covered(const DrawState& draw, TileScratch& scratch, const TileBox& box,
+                                        Color&& color) {
     const Ints background(std::bit_cast<std::int32_t>(draw.background8));
+    const Floats cleared = cleared_nearness(draw);
+    const int stride = scratch.tile.stride, whole = box.width / lanes * lanes;
+    const Bools rest = first_lanes(box.width - whole);
+    Ints sum(0);
+    for (int row = 0; row < box.height; ++row) {
+        const float* nearness = scratch.tile.nearness + row * stride;
+        const auto covered = [=](int k) RELEVO_INSIDE { return load(nearness + k) > cleared; };
+        for (int k = 0; k < whole; k += lanes) sum = select(covered(k), sum + Ints(1), sum);
+        sum = select(covered(whole) & rest, sum + Ints(1), sum);
+        write_tile_row(draw, scratch, box, row, [=](int k) RELEVO_INSIDE {
+            return select(covered(k), color(row * stride + k), background);
+        });
+        write_background_row(draw, scratch.background);
+    }
+    alignas(64) std::uint32_t sums[lanes];
+    store(sum, sums);
+    return std::accumulate(sums, sums + lanes, std::uint64_t{0});
+}
+RELEVO_LANE std::uint64_t write_painted(const TileAt& at) {
+    return write_covered(at.draw, at.scratch, at.box,
+                         [from = at.scratch.tile.color](int k) RELEVO_INSIDE { return load(from + k); });
+}
+// Everything is of one colour.
+RELEVO_LANE std::uint64_t shade_one_color(const DrawState& draw, TileScratch& scratch, const TileBox& box) {
     const RgbOf<Floats> color = draw.models[0].setup.surface.color;
     const Ints packed = to_whole(packed_rgba8<Floats>(color, draw.settings.output));
-    const Floats cleared = cleared_nearness(draw);
-    std::uint64_t shaded = 0;
-    for (int row = 0; row < at.box.height; ++row) {
-        const float* nearness = at.scratch.tile.nearness + row * at.scratch.tile.stride;
-        for (int k = 0; k < at.box.width; k += lanes)
-            shaded += static_cast<unsigned>(count(load(nearness + k) > cleared));
-        write_tile_row(draw, at.scratch, at.box, row, [&](int k) RELEVO_INSIDE {
-            return select(load(nearness + k) > cleared, packed, background);
-        });
-        write_background_row(draw, at.scratch.background);
-    }
-    return shaded;
+    return write_covered(draw, scratch, box, [=](int) RELEVO_INSIDE { return packed; });
 }
 
 // Colours and writes the tile. Returns the number of shaded pixels.
 RELEVO_LANE std::uint64_t shade_tile(const DrawState& draw, TileScratch& scratch, int listed,
                                      const TileBox& box) {
-    const TileAt at{draw, scratch, listed, box};
+    const TileAt at{draw, scratch, box, listed};
     switch (draw.settings.shading) {
         case Shading::Unlit:
-            if (scratch.tile.visible == nullptr) return shade_one_color(at);
+            if (scratch.tile.visible == nullptr) return shade_one_color(draw, scratch, box);
             return shade_any<Unlit>(at);
         case Shading::Flat:
             return shade_any<Flat>(at);

@@ -24,15 +24,17 @@ struct Background {
 // The memory of one worker for one tile at a time.
 struct TileScratch {
     TileMemory tile;
-    std::uint32_t* ids = nullptr;  // the tile's list; room for first_block ids more
-    std::byte* kept = nullptr;     // set-ups of triangles for shading, kept_bytes
-    std::byte* waiting = nullptr;  // pixels that wait for light, waiting_bytes
-    Background background{};       // is empty when the tile is done
+    std::uint32_t* ids = nullptr;   // the tile's list; room for first_block ids more
+    std::byte* kept = nullptr;      // set-ups of triangles for shading, kept_bytes
+    std::byte* waiting = nullptr;   // pixels that wait for light, waiting_bytes
+    std::byte* painting = nullptr;  // a triangle's strips that wait for their colours, painting_bytes
+    Background background{};        // is empty when the tile is done
     Fragments fragments{};
+    bool painted = false;   // some of the tile is coloured before the rest is shaded
     bool in_blocks = true;  // whether triangles are drawn whose fragments are not kept
 };
-inline constexpr std::size_t kept_triangles = 2048, kept_bytes = kept_triangles * 240,
-                             waiting_bytes = 25 << 10;
+inline constexpr std::size_t kept_triangles = 2048, kept_bytes = kept_triangles * 256,
+                             waiting_bytes = 25 << 10, painting_bytes = 137 << 10;
 
 struct Stages {
     // Vertices first..last-1 of a model, `first` a multiple of 16: window and carried numbers.

@@ -1,6 +1,6 @@
 // A tile that is being shaded, and where its colours go.
 //
-//   color   with kept fragments: a plane, as large as the tile
+//   color   with kept fragments, or where some is painted: a plane, as large as the tile
 //           without: the rows of the blocks at hand
 // The background's pixels hold nothing: they get their colour as the row leaves.
 #pragma once
@@ -20,11 +20,12 @@ RELEVO_LANE void with_texture(const ModelState& model, Use&& use) {
 struct TileAt {
     const DrawState& draw;
     TileScratch& scratch;
-    int listed;  // ids
-    const TileBox& box;
-    bool has_plane = scratch.fragments.group_count > 0;
+    TileBox box;
+    int listed = 0;  // ids that are known
+    bool has_plane = scratch.fragments.group_count > 0 || scratch.painted;
     int row_mask = has_plane ? -1 : block_rows - 1;
 
+    RELEVO_LANE int rows_of_blocks() const { return (box.height + block_rows - 1) / block_rows * block_rows; }
     RELEVO_LANE std::uint32_t* color_row(int row) const {
         return scratch.tile.color + (row & row_mask) * scratch.tile.stride;
     }

@@ -66,6 +66,14 @@ TEST(Output, RawRoundsToNearestAndClamps) {
     }
 }
 
+TEST(Output, DisplayableLightNeedsNoClamp) {
+    const auto unclamped = [](float c) { return raw_code<float, Light::Displayable>(c); };
+    for (float c = 0; c <= 0x1p-20f; c = std::nextafter(c, 1.0f) * 1.0001f) ASSERT_EQ(unclamped(-c), 0) << c;
+    for (float c = 1; c <= 1 + 0x1p-20f; c = std::nextafter(c, 2.0f)) ASSERT_EQ(unclamped(c), 255) << c;
+    for (int k = 0; k <= 1'000'000; ++k)
+        ASSERT_EQ(unclamped(float(k) * 1e-6f), raw_code(float(k) * 1e-6f)) << k;
+}
+
 TEST(Output, WhatIsNoColourHasADefinedCode) {
     constexpr Scalar inf = std::numeric_limits<Scalar>::infinity(),
                      nan = std::numeric_limits<Scalar>::quiet_NaN(),

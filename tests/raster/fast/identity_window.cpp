@@ -47,6 +47,10 @@ void WindowScene::next_model() {
     scene_.models.push_back(model);
 }
 
+void WindowScene::without_textures() {
+    for (raster::Model& model : scene_.models) model.texture = nullptr;
+}
+
 std::uint32_t WindowScene::add_vertex(const Corner& c) {
     const double half_width = 128.0 * size_.width, half_height = 128.0 * size_.height;
     const auto ndc = [](double of_half) { return static_cast<double>(static_cast<Scalar>(of_half)); };

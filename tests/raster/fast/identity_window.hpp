@@ -27,6 +27,7 @@ class WindowScene {
     WindowScene(Size size, View view, std::uint64_t seed = 1);
 
     void next_model();
+    void without_textures();
     void add(const Corners& corners);  // to the last model
     // The vertices alone; their numbers are those of the order in which they came.
     std::uint32_t add_vertex(const Corner& corner);
