@@ -3,10 +3,9 @@
 // to find out later which pixel shows which: no visibility buffer, no registers with pixels of several
 // triangles.
 //
-//   strips    8 columns wide, and as many rows at a time as fill a register: depth, lanes that are seen,
-//   weights colours   of all registers of the triangle, where they are seen; in a loop of its own, because
-//   each waits
-//             long for its weights
+//   strips    of 8 columns, as many rows at a time as fill a register: depth, lanes that are seen, weights
+//   colours   of all the triangle's registers, where they are seen: a loop of its own, as it waits for
+//   weights
 //
 // Painting ends with the first small triangles, whose fragments are kept (fragments.hpp), and when the pixels
 // of all triangles so far would cover the tile twice. From there on numbers are shown:
