@@ -46,36 +46,32 @@ RELEVO_LANE EdgeSigns steps_of(const StoredSetup& s, int k) {
     return {{0, 0, 0}, {dy1 - dy2, dy2, -dy1}, {dx2 - dx1, -dx2, dx1}};
 }
 
-// The rows of a strip that an edge may leave covered: those where S at the strip's best pixel is 0 or more.
+// The rows of each strip that an edge may leave covered: those where S at the strip's best pixel is 0 or
+// more.
 //   S + y down >= 0   is   y >= S (-1 / down)   or, where down < 0,   y <= S (-1 / down)
 // The quotients are not exact, so that a row too many may be there: never one too few.
 struct StripRows {
-    // S times these bounds the rows from above, or from below; with factor 0 it does not, as all_rows is
-    // added.
-    double from_factor[3], to_factor[3], all_rows[3], last;
-    int columns;
+    alignas(64) std::int32_t first[max_tile / 4 + lanes], last[max_tile / 4 + lanes];  // empty: first > last
 
-    RELEVO_LANE StripRows(const EdgeSigns& signs, int rows, int of_strip)
-        : last(rows - 1), columns(of_strip) {
-        for (int j = 0; j < 3; ++j) {
-            const double down = signs.down[j], quotient = -1 / (down == 0 ? 1e-300 : down);
-            const bool from = down >= 0;
-            from_factor[j] = from ? quotient : 0;
-            to_factor[j] = from ? 0 : quotient, all_rows[j] = from ? rows : 0;
-        }
-    }
-    // column: of the strip's first pixel, from the part's first one. Empty where first > last.
-    RELEVO_LANE void find(const EdgeSigns& signs, int column, int& first_row, int& last_row) const {
-        double from = 0, to = last;
-        for (int j = 0; j < 3; ++j) {
-            const double across = signs.across[j],
-                         s = signs.first[j] + column * across + (across > 0 ? (columns - 1) * across : 0);
-            from = std::max(from, s * from_factor[j]);
-            to = std::min(to, s * to_factor[j] + all_rows[j]);
-        }
+    // Of `columns` columns each; column: of the first strip's first pixel, from the part's first one.
+    RELEVO_LANE StripRows(const EdgeSigns& signs, int rows, int column, int columns, int strips) {
         constexpr double slack = 1e-6;
-        first_row = static_cast<int>(std::min(from, last + 1) + (1 - slack));
-        last_row = static_cast<int>(std::max(to, -1.0) + (1 + slack)) - 1;
+        const double end = rows;
+        for (int n = 0; n < strips; n += lanes) {
+            const Doubles x = to_wide(Ints(column) + (lane_numbers() + Ints(n)) * Ints(columns));
+            Doubles from = 0.0, to = end - 1;
+            for (int j = 0; j < 3; ++j) {
+                const double across = signs.across[j], down = signs.down[j],
+                             quotient = -1 / (down == 0 ? 1e-300 : down);
+                const Doubles s = x * across + (signs.first[j] + (across > 0 ? (columns - 1) * across : 0));
+                // S times these bounds the rows from above, or from below; with factor 0 it does not.
+                const bool is_first = down >= 0;
+                from = greater(from, s * (is_first ? quotient : 0));
+                to = smaller(to, s * (is_first ? 0 : quotient) + (is_first ? end : 0));
+            }
+            store(truncated(smaller(from, Doubles(end)) + (1 - slack)), first + n);
+            store(truncated(greater(to, Doubles(-1.0)) + (1 + slack)) - Ints(1), last + n);
+        }
     }
 };
 
@@ -121,12 +117,13 @@ RELEVO_LANE void cover_strips(const StoredSetup& s, int k, const BoxPart& box, c
         return of_lanes(lane_x, lane_y, signs.across[j], signs.down[j]);
     };
     const Ints lane_sign0 = sign_of_lanes(0), lane_sign1 = sign_of_lanes(1), lane_sign2 = sign_of_lanes(2);
-    const StripRows rows_of(signs, box.y1 - box.y0 + 1, columns);
-    for (int x = box.x0 / columns * columns; x <= box.x1; x += columns) {
-        const int column = x - box.x0;
+    const int first_x = box.x0 / columns * columns, strips = (box.x1 - first_x) / columns + 1;
+    const StripRows strip_rows(signs, box.y1 - box.y0 + 1, first_x - box.x0, columns, strips);
+    for (int n = 0; n < strips; ++n) {
+        const int x = first_x + n * columns, column = x - box.x0;
         int first_row = 0, last_row = box.y1 - box.y0;
         if constexpr (crossed) {
-            rows_of.find(signs, column, first_row, last_row);
+            first_row = strip_rows.first[n], last_row = strip_rows.last[n];
             if (first_row > last_row) continue;
         }
         // mod 2^32: a strip may begin before the part, where S needs not fit

@@ -188,6 +188,8 @@ RELEVO_LANE Doubles operator*(Doubles a, Doubles b) {
 RELEVO_LANE Doubles operator/(Doubles a, Doubles b) {
     return {hn::Div(a.low, b.low), hn::Div(a.high, b.high)};
 }
+RELEVO_LANE Doubles greater(Doubles a, Doubles b) { return {hn::Max(a.low, b.low), hn::Max(a.high, b.high)}; }
+RELEVO_LANE Doubles smaller(Doubles a, Doubles b) { return {hn::Min(a.low, b.low), hn::Min(a.high, b.high)}; }
 // A truth a lane, as wide as the lanes of Doubles.
 struct WideBools {
     hn::Mask<TagD> low, high;
