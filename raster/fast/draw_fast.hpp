@@ -2,9 +2,10 @@
 //
 //   1  transform   N vertices at a time: clip codes, window, what they carry         by blocks of vertices
 //   2  bin         N triangles at a time: cull, clip, into the lists of their tiles  by chunks of triangles
-//   3  tile        for each tile: coverage and depth of its triangles (a visibility  by tiles
-//                  buffer that stays in the caches), then every visible pixel is shaded once: of few
-//                  pixels' triangles fragment by fragment, of others in blocks; then out
+//   3  tile        for each tile, in memory that stays in the caches: coverage and   by tiles
+//                  depth of its triangles, and which of them is seen (a visibility buffer); then every
+//                  visible pixel is shaded once: of few pixels' triangles fragment by fragment, of others
+//                  in blocks. Or, where that is cheaper, triangles are painted at once; then out
 //
 // Nothing that a probe could see between the stages exists here: the textbook path is the one to watch.
 #pragma once

@@ -257,19 +257,19 @@ template <template <bool> class Program>
     return shaded;
 }
 
-// A tile with kept fragments.
+// A tile with kept fragments, or where some is painted.
 template <template <bool> class Program>
 RELEVO_LANE std::uint64_t shade_plane(const TileAt& at) {
     const TileMemory& tile = at.scratch.tile;
-    const int rows = (at.box.height + block_rows - 1) / block_rows * block_rows;
-    int covered = 0, before = 0;
-    for (int k = 0; k < rows * tile.stride; k += lanes) {
+    const Ints none(static_cast<std::int32_t>(nothing)), some(static_cast<std::int32_t>(painted));
+    int negative = 0, before = 0;  // pixels that show fragments or are painted; that are painted
+    for (int k = 0, end = at.rows_of_blocks() * tile.stride; k < end; k += lanes) {
         const Ints number = load(tile.visible + k);
-        covered += count(is_negative(number) && !(number == Ints(-1)));
-        before += count(number == Ints(INT32_MIN));
+        negative += count(is_negative(number) && !(number == none));
+        before += count(number == some);
     }
     if (!at.scratch.painted) before = 0;
-    std::uint64_t shaded = shade_fragments<Program>(at, covered - before) + std::uint64_t(before);
+    std::uint64_t shaded = shade_fragments<Program>(at, negative - before) + std::uint64_t(before);
     if (at.scratch.in_blocks) return shaded + shade_blocks<Program>(at);
     for (int y = 0; y < at.box.height; ++y) {
         write_shaded_row(at, y);
@@ -284,7 +284,8 @@ RELEVO_LANE std::uint64_t shade_any(const TileAt& at) {
     return at.has_plane ? shade_plane<Program>(at) : shade_blocks<Program>(at);
 }
 
-// Where depth alone tells what is covered: color(row, k) of the covered pixels.
+// A tile where depth tells what is covered; color(k) of the pixels there, k as in the tile's memory. Counted
+// before they are written: that brings the row into the cache.
 template <class Color>
 RELEVO_LANE std::uint64_t write_covered(const DrawState& draw, TileScratch& scratch, const TileBox& box,
                                         Color&& color) {
@@ -307,6 +308,8 @@ RELEVO_LANE std::uint64_t write_covered(const DrawState& draw, TileScratch& scra
     store(sum, sums);
     return std::accumulate(sums, sums + lanes, std::uint64_t{0});
 }
+
+// All of the tile is painted.
 RELEVO_LANE std::uint64_t write_painted(const TileAt& at) {
     return write_covered(at.draw, at.scratch, at.box,
                          [from = at.scratch.tile.color](int k) RELEVO_INSIDE { return load(from + k); });
