@@ -296,6 +296,26 @@ TEST(Boundary, AHundredModelsInOneTile) {
         }
 }
 
+// Light between corners is clamped where one of them is beyond what a picture shows, and only there.
+TEST(Boundary, LightBeyondThePicturesRange) {
+    constexpr Scalar inf = std::numeric_limits<Scalar>::infinity(),
+                     nan = std::numeric_limits<Scalar>::quiet_NaN();
+    for (const View view : {View::Parallel, View::Perspective})
+        for (const pipeline::LinearRgb color : {pipeline::LinearRgb{Scalar(-0.5), Scalar(0.5), 1},
+                                                {Scalar(0.5), Scalar(-0.25), 2},
+                                                {1, 40, Scalar(-1e-3)},
+                                                {Scalar(-1e30), Scalar(1e30), 0},
+                                                {inf, -inf, nan}}) {
+            WindowScene scene({130, 67}, view);
+            for (int i = 0; i < 12; ++i) {
+                scene.material().color = color;
+                scene.add({scene.anywhere(5), scene.anywhere(5), scene.anywhere(5)});
+                if (i % 4 == 3) scene.next_model();
+            }
+            for (int turn = 0; turn < 6; ++turn) ASSERT_TRUE(is_same_few(scene, gouraud())) << color.g;
+        }
+}
+
 // ---------------------------------------------------------------------------------------------- equal depths
 // Triangles in one plane of constant depth, or in few such planes: what is seen is decided by number alone.
 Corners flat(WindowScene& scene, double reach) {
