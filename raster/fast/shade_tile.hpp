@@ -291,14 +291,13 @@ RELEVO_LANE std::uint64_t write_covered(const DrawState& draw, TileScratch& scra
                                         Color&& color) {
     const Ints background(std::bit_cast<std::int32_t>(draw.background8));
     const Floats cleared = cleared_nearness(draw);
-    const int stride = scratch.tile.stride, whole = box.width / lanes * lanes;
-    const Bools rest = first_lanes(box.width - whole);
+    const int stride = scratch.tile.stride;
     Ints sum(0);
     for (int row = 0; row < box.height; ++row) {
         const float* nearness = scratch.tile.nearness + row * stride;
         const auto covered = [=](int k) RELEVO_INSIDE { return load(nearness + k) > cleared; };
-        for (int k = 0; k < whole; k += lanes) sum = select(covered(k), sum + Ints(1), sum);
-        sum = select(covered(whole) & rest, sum + Ints(1), sum);
+        for (int k = 0; k < box.width; k += lanes)  // past the row's end all is clear
+            sum = select(covered(k), sum + Ints(1), sum);
         write_tile_row(draw, scratch, box, row, [=](int k) RELEVO_INSIDE {
             return select(covered(k), color(row * stride + k), background);
         });
