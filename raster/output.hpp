@@ -45,7 +45,8 @@ Real clamped_light(Real c) {
     return smaller(greater(c, Real(0)), Real(1));
 }
 // Displayable: known to be in [0, 1], or beyond by 2^-20 at most, as rounded interpolation between colours of
-// that range is. Without a clamp it has the same raw codes.
+// that range is at covered pixels, whose weights are finite and not negative. Without a clamp it has the same
+// raw codes.
 enum class Light { Any, Displayable };
 template <class Real, Light light = Light::Any>
 Whole<Real> raw_code(Real c) {

@@ -5,7 +5,6 @@
 //   mixed          each lane takes the planes of the triangle that it shows, and puts its own pixel in
 #pragma once
 #include "raster/fast/kept_setups.hpp"
-#include "raster/fast/twice.hpp"
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
@@ -56,6 +55,13 @@ RELEVO_LANE CarriedPlanes<Program> select(Bools mask, const CarriedPlanes<Progra
     return c;
 }
 
+// Calls use() with what is known of the light: in the type, so that each has code of its own.
+template <class Use>
+RELEVO_LANE void with_light_of(bool displayable, Use&& use) {
+    displayable ? use(std::integral_constant<Light, Light::Displayable>())
+                : use(std::integral_constant<Light, Light::Any>());
+}
+
 // Of pixels that are lit at the corners. Number after number: an array of all would be written to memory.
 template <class Program>
 RELEVO_LANE RgbOf<Floats> color_at(const Surface& surface, const CarriedPlanes<Program>& planes,
@@ -100,8 +106,8 @@ struct EdgePlanes {
     Number e1, across1, down1, e2, across2, down2, area;
     Floats rw0, rw1, rw2;
 };
-template <class Number, class Column>
-RELEVO_LANE EdgePlanes<Number> edge_planes(const SetupGroup& g, const Column& of) {
+template <class Number>
+RELEVO_LANE EdgePlanes<Number> edge_planes(const SetupGroup& g, const OwnColumn& of) {
     const auto planes = [&](const auto& e) RELEVO_INSIDE {
         return EdgePlanes<Number>{of(e[0]), of(e[1]), of(e[2]),    of(e[3]),    of(e[4]),
                                   of(e[5]), of(e[6]), of(g.rw[0]), of(g.rw[1]), of(g.rw[2])};

@@ -1,4 +1,5 @@
-// Coverage and depth of one triangle in one tile, in strips of N columns: a pixel a lane.
+// Coverage and depth of one triangle in one tile, a pixel a lane: in strips of N columns or, where what
+// follows costs more than to begin a strip (paint_triangles.hpp), of 8, several rows at a time.
 //
 //        x0              x1
 //   | . . . / | - - - \ | . . . . |     strips begin where registers do, so that none reaches over two
@@ -75,7 +76,8 @@ struct StripRows {
     }
 };
 
-// What becomes of the pixels that are seen, beside their depth. Here: each shows a number, in rows of `to`.
+// What becomes of the pixels that are seen, beside their depth. Here: each shows a number, or one colour, in
+// rows of `to`.
 struct ShowNumber {
     static constexpr int columns = lanes;  // of a strip
     Ints number;
@@ -93,8 +95,7 @@ struct ShowNumber {
     }
 };
 
-// One triangle in strips of N columns, a pixel a lane, row after row. Without `crossed` every pixel of the
-// part is covered.
+// One triangle in strips. Without `crossed` every pixel of the part is covered.
 template <bool crossed, class Show>
 RELEVO_LANE void cover_strips(const StoredSetup& s, int k, const BoxPart& box, const EdgeSigns& signs,
                               Show& show, const Nearness& nearness, const TileMemory& tile) {
@@ -118,7 +119,7 @@ RELEVO_LANE void cover_strips(const StoredSetup& s, int k, const BoxPart& box, c
     };
     const Ints lane_sign0 = sign_of_lanes(0), lane_sign1 = sign_of_lanes(1), lane_sign2 = sign_of_lanes(2);
     const int first_x = box.x0 / columns * columns, strips = (box.x1 - first_x) / columns + 1;
-    const StripRows strip_rows(signs, box.y1 - box.y0 + 1, first_x - box.x0, columns, strips);
+    const StripRows strip_rows(signs, box.y1 - box.y0 + 1, first_x - box.x0, columns, crossed ? strips : 0);
     for (int n = 0; n < strips; ++n) {
         const int x = first_x + n * columns, column = x - box.x0;
         int first_row = 0, last_row = box.y1 - box.y0;

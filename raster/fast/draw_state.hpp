@@ -127,7 +127,8 @@ inline bool can_be_painted(const DrawState& draw) {
 //
 //   nearness  of each pixel: its depth, with the sign turned when forward depth is drawn: greater is nearer
 //   visible   of each pixel: the triangle that is seen, by its place in the tile's list (and kept_bit:
-//             fragments.hpp); null where all triangles have one colour, and depth alone tells what is covered
+//             fragments.hpp); nothing while the tile is painted; null where all triangles have one colour,
+//             and depth alone tells what is covered
 //   color     of each pixel, or of the few rows that are being shaded (tile_at.hpp)
 struct TileMemory {
     int stride = 0;

@@ -1,5 +1,5 @@
-// The set-ups of a tile's triangles that shading keeps: N triangles that follow each other in the tile's list
-// are set up together when the first of them is seen.
+// The set-ups of a tile's triangles that shading and painting keep: N triangles that follow each other in the
+// tile's list are set up together when the first of them is seen, or painted.
 //
 //   groups[g % slots]   of the triangles N g .. N g + N - 1: a row for each number, a column a triangle
 //   tag[g % slots]      g: whose numbers stand there
@@ -9,6 +9,8 @@
 // Where a triangle is seen they lie between 0 and its area. So int32 is enough for small triangles, of an
 // area below 2^31 (in 1/256 pixel: 16,384 pixels), whatever overflows on the way.
 #pragma once
+#include <type_traits>
+
 #include "raster/fast/shade_setup.hpp"
 #include "raster/fast/stages.hpp"
 #include "raster/fast/tile_at.hpp"
@@ -27,13 +29,6 @@ struct SetupGroup {
 
     bool small;  // all triangles are
 };
-
-// Calls use() with what is known of the light: in the type, so that each has code of its own.
-template <class Use>
-RELEVO_LANE void with_light_of(bool displayable, Use&& use) {
-    displayable ? use(std::integral_constant<Light, Light::Displayable>())
-                : use(std::integral_constant<Light, Light::Any>());
-}
 
 struct KeptSetups {
     static constexpr std::uint32_t slots = kept_triangles / lanes;

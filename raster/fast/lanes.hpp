@@ -305,27 +305,6 @@ RELEVO_LANE Ints compress(Ints a, Bools mask) {
 #endif
 RELEVO_LANE Floats compress(Floats a, Bools mask) { return bits_float(compress(float_bits(a), mask)); }
 
-// The numbers at the front go to the lanes that are true, in their order; the others hold anything.
-#if HWY_TARGET <= HWY_AVX3
-RELEVO_LANE Ints expand(Ints a, Bools mask) {
-    return Ints(hn::Vec<TagI>{_mm512_maskz_expand_epi32(mask.m.raw, a.v.raw)});
-}
-#else
-inline constexpr LaneOrders lane_ranks = [] {
-    LaneOrders ranks{};
-    for (int mask = 0; mask < 1 << lanes; ++mask)
-        for (int k = 0, n = 0; k < lanes; ++k) {
-            ranks.of[mask][k] = static_cast<std::uint8_t>(n);
-            if (mask >> k & 1 && n + 1 < lanes) ++n;
-        }
-    return ranks;
-}();
-RELEVO_LANE Ints expand(Ints a, Bools mask) {
-    const auto rank = hn::LoadU(hn::Rebind<std::uint8_t, TagI>(), lane_ranks.of[bits(mask)]);
-    return Ints(hn::TableLookupLanes(a.v, hn::IndicesFromVec(TagI(), hn::PromoteTo(TagI(), rank))));
-}
-#endif
-
 // In each lane the number of another one: the same for many registers.
 struct Picked {
     decltype(hn::IndicesFromVec(TagI(), hn::Zero(TagI()))) by;

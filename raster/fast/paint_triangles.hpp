@@ -3,12 +3,13 @@
 // to find out later which pixel shows which: no visibility buffer, no registers with pixels of several
 // triangles.
 //
-//   strips    of 8 columns, as many rows at a time as fill a register: depth, lanes that are seen, weights
-//   colours   of all the triangle's registers, where they are seen: a loop of its own, as it waits for
-//   weights
+//   strips    of 8 columns (SSE4: 4), as many rows at a time as fill a register: depth, seen lanes, weights
+//   colours   of all the triangle's registers, where they are seen; in a loop of its own: it needs weights
 //
-// Painting ends with the first small triangles, whose fragments are kept (fragments.hpp), and when the pixels
-// of all triangles so far would cover the tile twice. From there on numbers are shown:
+// Flat triangles have one colour, which takes the place of their number (cover_strips.hpp).
+//
+// Painting ends with the first small triangles, whose fragments are kept (fragments.hpp), and Gouraud's when
+// the pixels of all triangles so far would cover the tile twice. From there on numbers are shown:
 //
 //   visible   `painted` where anything is painted: no number that follows stands before it
 #pragma once
@@ -18,8 +19,8 @@
 
 namespace relevo::raster::fast::HWY_NAMESPACE {
 
-// As if it were a fragment of the tile's first triangle: nothing that follows is before it at equal depth,
-// and where anything is painted that one has no fragments.
+// As if it were a fragment of the tile's first triangle: nothing that follows is before it at equal depth.
+// Where anything is painted, that one has no fragments: with them, painting would have ended.
 inline constexpr std::uint32_t painted = kept_bit;
 
 // The registers of one triangle's strips.
@@ -91,6 +92,8 @@ RELEVO_LANE bool is_worth_painting(const TileBox& box, std::size_t triangles) {
 }
 
 inline constexpr float most_painted = 2;  // tiles
+
+// Paints a tile's triangles until stop().
 template <template <bool> class Program>
 class Painter {
   public:
@@ -118,9 +121,9 @@ class Painter {
     }
     // Triangles come next that cover so many pixels of the tile, or fewer.
     RELEVO_LANE void expect(const TileAt& at, Floats pixels) {
+        if constexpr (P::size == 0) return;
         pixels_ += sum(pixels);
-        if (P::size > 0 && pixels_ > most_painted * static_cast<float>(at.box.width * at.box.height))
-            stop(at);
+        if (pixels_ > most_painted * static_cast<float>(at.box.width * at.box.height)) stop(at);
     }
     // From here on numbers are shown.
     RELEVO_LANE void stop(const TileAt& at) {

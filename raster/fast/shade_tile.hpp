@@ -7,7 +7,7 @@
 //   whole   one triangle in all of the block; first these of a row of blocks, in runs of one triangle
 //   mixed   several triangles, or background, too; then these: each lane takes what it needs of the triangle
 //           that it shows from the group that this one was set up in
-// The numbers that a block's pixels get then wait for light (waiting_light.hpp).
+// Untextured Gouraud and flat pixels get their colours at once, others wait for light (waiting_light.hpp).
 #pragma once
 #include <numeric>
 

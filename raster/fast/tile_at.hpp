@@ -22,6 +22,7 @@ struct TileAt {
     TileScratch& scratch;
     TileBox box;
     int listed = 0;  // ids that are known
+    // These two are right once the tile is covered: shading makes a TileAt of its own.
     bool has_plane = scratch.fragments.group_count > 0 || scratch.painted;
     int row_mask = has_plane ? -1 : block_rows - 1;
 

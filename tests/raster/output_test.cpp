@@ -67,11 +67,12 @@ TEST(Output, RawRoundsToNearestAndClamps) {
 }
 
 TEST(Output, DisplayableLightNeedsNoClamp) {
-    const auto unclamped = [](float c) { return raw_code<float, Light::Displayable>(c); };
-    for (float c = 0; c <= 0x1p-20f; c = std::nextafter(c, 1.0f) * 1.0001f) ASSERT_EQ(unclamped(-c), 0) << c;
-    for (float c = 1; c <= 1 + 0x1p-20f; c = std::nextafter(c, 2.0f)) ASSERT_EQ(unclamped(c), 255) << c;
+    const auto unclamped = [](Scalar c) { return raw_code<Scalar, Light::Displayable>(c); };
+    const Scalar beyond = Scalar(0x1p-20);
+    for (Scalar c = beyond; c > Scalar(1e-30); c *= Scalar(0.999)) ASSERT_EQ(unclamped(-c), 0) << c;
+    for (Scalar c = beyond; c > Scalar(1e-9); c *= Scalar(0.999)) ASSERT_EQ(unclamped(1 + c), 255) << c;
     for (int k = 0; k <= 1'000'000; ++k)
-        ASSERT_EQ(unclamped(float(k) * 1e-6f), raw_code(float(k) * 1e-6f)) << k;
+        ASSERT_EQ(unclamped(Scalar(k * 1e-6)), raw_code(Scalar(k * 1e-6))) << k;
 }
 
 TEST(Output, WhatIsNoColourHasADefinedCode) {

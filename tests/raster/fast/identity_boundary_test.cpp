@@ -316,6 +316,36 @@ TEST(Boundary, LightBeyondThePicturesRange) {
         }
 }
 
+// Medium triangles, then tiny ones, and so on: a tile that is painted goes over to fragments and to blocks.
+TEST(Boundary, RunsOfMediumAndTinyTriangles) {
+    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+        hard::Random random(seed);
+        const auto side = [&] { return static_cast<int>(random.integer(30, 140)); };
+        const int width = side(), height = side();
+        WindowScene scene({width, height}, seed % 2 ? View::Perspective : View::Parallel, seed);
+        const bool in_planes = random.coin();
+        for (int run = 0, runs = static_cast<int>(random.integer(2, 5)); run < runs; ++run) {
+            if (random.integer(0, 3) == 0) scene.next_model();
+            const bool tiny = run % 2 == 1;
+            const double reach = tiny ? 5 : static_cast<double>(random.integer(10, 45));
+            const auto count = tiny ? random.integer(20, 70) : random.integer(4, 34);
+            for (std::int64_t i = 0; i < count; ++i) {
+                const Corner at = scene.anywhere();
+                const Scalar depth = Scalar(random.integer(1, 2)) / 4;
+                Corners t;
+                for (Corner& c : t) {
+                    const auto off = [&] { return std::floor(random.between(-reach, reach) * pixel); };
+                    c = {at.x + off(), at.y + off(), depth, 2};
+                    if (!in_planes)
+                        c.depth = Scalar(random.unit()), c.w = pipeline::exp2(double(random.integer(-1, 5)));
+                }
+                scene.add(t);
+            }
+        }
+        ASSERT_TRUE(is_same_few(scene, gouraud())) << seed;
+    }
+}
+
 // ---------------------------------------------------------------------------------------------- equal depths
 // Triangles in one plane of constant depth, or in few such planes: what is seen is decided by number alone.
 Corners flat(WindowScene& scene, double reach) {

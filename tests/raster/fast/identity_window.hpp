@@ -29,7 +29,7 @@ class WindowScene {
     void next_model();
     void without_textures();
     pipeline::Material& material() { return scene_.models.back().material; }  // of the last model
-    void add(const Corners& corners);                                       // to the last model
+    void add(const Corners& corners);                                         // to the last model
     // The vertices alone; their numbers are those of the order in which they came.
     std::uint32_t add_vertex(const Corner& corner);
     void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
