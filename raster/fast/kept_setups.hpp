@@ -26,8 +26,7 @@ struct SetupGroup {
     float color[3][lanes];               // where nothing is carried: of every pixel
     std::int32_t packed[lanes], model[lanes];
     std::int32_t displayable[lanes];  // whether no clamp is needed (output.hpp)
-
-    bool small;  // all triangles are
+    bool small;                       // all triangles are
 };
 
 struct KeptSetups {
